@@ -1,0 +1,136 @@
+#!/bin/sh
+# Installs what swTracer needs and this host lacks, with the host's own package manager.
+#
+#   sh external/setup.sh              what building, rendering and testing need
+#   sh external/setup.sh --developer  also what .ci/run and the optional targets need
+#
+# Does nothing where everything is there. Libraries that cannot be installed are named, and CMake
+# downloads them at configure time; a missing compiler, CMake or Ninja is an error.
+set -u
+
+developer=no
+case "${1-}" in
+    "") ;;
+    --developer) developer=yes ;;
+    *) echo "usage: sh external/setup.sh [--developer]" >&2; exit 2 ;;
+esac
+
+CXX=${CXX:-c++}
+
+hasCommand() { command -v "$1" >/dev/null 2>&1; }
+hasHeader() { echo "#include <$1>" | "$CXX" -x c++ -std=c++17 -E - >/dev/null 2>&1; }
+hasLibcxx() {
+    hasCommand clang++ &&
+        echo 'int main() {}' | clang++ -stdlib=libc++ -x c++ - -lc++abi -o /dev/null 2>/dev/null
+}
+# CMake's presets file needs 3.25.
+hasCmake() {
+    hasCommand cmake && cmake --version |
+        awk 'NR == 1 { split($3, v, "."); exit !(v[1] > 3 || (v[1] == 3 && v[2] >= 25)) }'
+}
+
+# Every item: is it there?
+isThere() {
+    case $1 in
+        compiler) hasCommand "$CXX" ;;
+        cmake) hasCmake ;;
+        ninja) hasCommand ninja ;;
+        glm) hasHeader glm/glm.hpp ;;
+        stb) hasHeader stb/stb_image_write.h || hasHeader stb_image_write.h ;;
+        catch2) hasHeader catch2/catch.hpp || hasHeader catch2/catch_all.hpp ;;
+        cli11) hasHeader CLI/CLI.hpp ;;
+        fast_float) hasHeader fast_float/fast_float.h ;;
+        clang) hasCommand clang++ ;;
+        libc++) hasLibcxx ;;
+        clang-format) hasCommand clang-format ;;
+        benchmark) hasHeader benchmark/benchmark.h ;;
+        embree) hasHeader embree3/rtcore.h || hasHeader embree4/rtcore.h ;;
+        gnuplot) hasCommand gnuplot ;;
+    esac
+}
+
+# Item and package manager -> package names; nothing where the manager has no such package.
+packages() {
+    case $1:$manager in
+        compiler:apt) echo g++ ;;              compiler:dnf) echo gcc-c++ ;;
+        compiler:pacman) echo gcc ;;           compiler:brew) ;;
+        cmake:*) echo cmake ;;
+        ninja:apt | ninja:dnf) echo ninja-build ;;
+        ninja:*) echo ninja ;;
+        glm:apt) echo libglm-dev ;;            glm:dnf) echo glm-devel ;;
+        glm:*) echo glm ;;
+        stb:apt) echo libstb-dev ;;            stb:dnf) echo stb-devel ;;
+        stb:pacman) echo stb ;;                stb:brew) ;;
+        catch2:apt) echo catch2 ;;             catch2:dnf) echo catch-devel ;;
+        catch2:*) echo catch2 ;;
+        cli11:apt) echo libcli11-dev ;;        cli11:dnf) echo cli11-devel ;;
+        cli11:*) echo cli11 ;;
+        fast_float:apt) echo libfast-float-dev ;;
+        fast_float:dnf) echo fast_float-devel ;;
+        fast_float:pacman) echo fast_float ;;  fast_float:brew) echo fast_float ;;
+        clang:brew) echo llvm ;;               clang:*) echo clang ;;
+        libc++:apt) echo libc++-dev libc++abi-dev ;;
+        libc++:dnf) echo libcxx-devel libcxxabi-devel ;;
+        libc++:pacman) echo libc++ ;;
+        clang-format:dnf) echo clang-tools-extra ;;
+        clang-format:pacman) echo clang ;;     clang-format:*) echo clang-format ;;
+        benchmark:apt) echo libbenchmark-dev ;;
+        benchmark:dnf) echo google-benchmark-devel ;;
+        benchmark:pacman) echo benchmark ;;    benchmark:brew) echo google-benchmark ;;
+        embree:apt) echo libembree-dev ;;      embree:dnf) echo embree-devel ;;
+        embree:*) echo embree ;;
+        gnuplot:apt) echo gnuplot-nox ;;       gnuplot:*) echo gnuplot ;;
+    esac
+}
+
+install() {
+    sudo=
+    if [ "$manager" != brew ] && [ "$(id -u)" != 0 ]; then
+        hasCommand sudo && sudo=sudo
+    fi
+    echo "setup: installing $* with $manager"
+    case $manager in
+        apt)
+            $sudo apt-get update -q
+            $sudo env DEBIAN_FRONTEND=noninteractive \
+                apt-get install -q -y --no-install-recommends "$@" ;;
+        dnf) $sudo dnf install -y "$@" ;;
+        pacman) $sudo pacman -S --needed --noconfirm "$@" ;;
+        brew) brew install "$@" ;;
+    esac
+}
+
+manager=none
+for candidate in apt:apt-get dnf:dnf pacman:pacman brew:brew; do
+    if [ $manager = none ] && hasCommand "${candidate#*:}"; then manager=${candidate%%:*}; fi
+done
+
+tools="compiler cmake ninja"
+libraries="glm stb catch2 cli11 fast_float"
+extras=
+[ $developer = no ] || extras="clang libc++ clang-format benchmark embree gnuplot"
+
+wanted=
+for item in $tools $libraries $extras; do
+    isThere "$item" || wanted="$wanted $(packages "$item")"
+done
+# shellcheck disable=SC2086  # the list is split on purpose
+set -- $wanted
+if [ $# -gt 0 ]; then
+    # One package that the host does not know must not keep the others out.
+    install "$@" || for package in "$@"; do install "$package"; done
+fi
+
+status=0
+for item in $tools; do
+    isThere "$item" && continue
+    echo "setup: $item is missing; please install it (CMake must be 3.25 or newer)" >&2
+    status=1
+done
+for item in $libraries; do
+    isThere "$item" || echo "setup: $item is not installed; CMake will download it" >&2
+done
+for item in $extras; do
+    isThere "$item" || echo "setup: $item is not installed; its targets are left out" >&2
+done
+exit $status

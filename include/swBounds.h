@@ -1,0 +1,44 @@
+#pragma once
+
+#include <limits>
+
+#include "swVec3.h"
+
+namespace sw {
+
+/// Axis-aligned box. Empty until something is added.
+struct Bounds {
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+    Vec3 min{infinity, infinity, infinity};
+    Vec3 max{-infinity, -infinity, -infinity};
+
+    Bounds() = default;
+    Bounds(const Vec3& lowest, const Vec3& highest) : min(lowest), max(highest) {}
+
+    /// All of space: the box of a primitive that does not know its own.
+    static Bounds unbounded() {
+        return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+    }
+
+    /// Makes the box just large enough to hold p as well. A NaN coordinate changes nothing.
+    void add(const Vec3& p) {
+        for (int i = 0; i < 3; ++i) {
+            if (p[i] < min[i]) min[i] = p[i];
+            if (p[i] > max[i]) max[i] = p[i];
+        }
+    }
+    void add(const Bounds& b) {
+        add(b.min);
+        add(b.max);
+    }
+
+    /// True if the box holds at least a point and ends on every side.
+    bool isFinite() const {
+        for (int i = 0; i < 3; ++i)
+            if (!(min[i] <= max[i] && min[i] > -infinity && max[i] < infinity)) return false;
+        return true;
+    }
+};
+
+}  // namespace sw

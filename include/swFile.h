@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace sw {
+
+/// A file that cannot be read or written. The message names the file, the reason and a way out.
+class FileError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The content of a whole file.
+/// @throws FileError
+std::string readFile(const std::filesystem::path& path);
+
+/// Writes a file whole or not at all: into a temporary file beside it, which then takes its name.
+/// A failure, a full disk or a kill leaves what was there before. What exists and is no regular
+/// file (a terminal, a pipe) is written to directly.
+/// @throws FileError
+void writeFile(const std::filesystem::path& path, std::string_view content);
+
+/// Checks, before long work, that writeFile would find its folder and may write there.
+/// @throws FileError
+void requireWritable(const std::filesystem::path& path);
+
+}  // namespace sw

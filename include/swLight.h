@@ -1,0 +1,17 @@
+#pragma once
+
+#include "swVec3.h"
+
+namespace sw {
+
+/// A point light that shines equally in all directions, without fall-off.
+struct Light {
+    Vec3 position;
+    Color color{1, 1, 1};  ///< linear radiance that a white surface facing the light returns
+
+    Light() = default;
+    explicit Light(const Vec3& where, const Color& radiance = {1, 1, 1})
+        : position(where), color(radiance) {}
+};
+
+}  // namespace sw

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "swIntersection.h"
+#include "swVec3.h"
+
+/// Double precision inside, floats outside, and bounds for what is lost between the two.
+namespace sw::num {
+
+/// Unit roundoff of float: a rounded result is off by at most this fraction of itself.
+constexpr float unitRoundoff = 0x1p-24f;
+
+inline glm::dvec3 toDouble(const Vec3& v) {
+    return {v.m[0], v.m[1], v.m[2]};
+}
+
+inline Vec3 toFloat(const glm::dvec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+inline float maxAbs(const Vec3& v) {
+    return std::fmax(std::fabs(v.m[0]), std::fmax(std::fabs(v.m[1]), std::fabs(v.m[2])));
+}
+
+/// Bound for Intersection::positionError of a primitive that computes in double.
+/// @param position  the hit point, rounded to float from (nearly) exact coordinates
+/// @param extent    at least the distance between any two points of the primitive
+///
+/// Rounding moves the position by u |p_i| per axis: at most sqrt(3) u max|p| along the normal.
+/// A spawned direction that should leave the surface can dip by 3u: u from rounding it, u from
+/// rounding the normal, u from the side that this normal decides. Across the primitive it dips
+/// by 3u extent. Both are rounded up to 4u. Nothing here is an absolute length, so that a scene in
+/// millimetres and one in light years look the same.
+inline float surfaceError(const Vec3& position, float extent) {
+    return 4 * unitRoundoff * (maxAbs(position) + extent);
+}
+
+/// The positionError of a hit, or a cautious default where its primitive states none.
+///
+/// The slides start their rays at t = 0.01, which suits the lab's scene of some 60 units. The
+/// default keeps that proportion at every scale: 2^-14 of the lengths that went into the hit
+/// point, its own coordinates and the way to it. That is 1000 roundings, enough for textbook
+/// formulas in float at distances up to about 30 times the primitive's size.
+float statedOrDefaultError(const Intersection& hit);
+
+/// Moves a point off a surface, rounding every coordinate away from it (Pharr, Jakob and
+/// Humphreys, Physically Based Rendering, 3rd ed., section 3.9.5, "Robust spawned ray origins").
+/// @param point     on the surface, within `distance` of it
+/// @param normal    unit normal on the side to move to
+/// @param distance  how far, not negative
+/// @return          a point at least `distance` away along the normal
+Vec3 offsetFromSurface(const Vec3& point, const Vec3& normal, float distance);
+
+}  // namespace sw::num

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "swBounds.h"
+#include "swIntersection.h"
+#include "swMaterial.h"
+#include "swRay.h"
+
+namespace sw {
+
+/// Anything that a ray can hit. A primitive of your own needs only intersect().
+class Primitive {
+public:
+    Material material;
+
+    Primitive() = default;
+    explicit Primitive(const Material& surface) : material(surface) {}
+    virtual ~Primitive() = default;
+
+    /// Finds the nearest hit with ray.minT < t < ray.maxT. Called from several threads at once.
+    /// @param hit  on a hit, its position, normal (unit, against the ray), hitT, frontFacing,
+    ///             material and ray are set; on a miss its content means nothing
+    /// @return     whether there is a hit; a NaN anywhere is none
+    virtual bool intersect(const Ray& ray, Intersection& hit) const = 0;
+
+    /// A box that holds the whole primitive. Without one, every ray is tested against it.
+    virtual Bounds bounds() const { return Bounds::unbounded(); }
+};
+
+}  // namespace sw

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "swImage.h"
+#include "swRayCount.h"
+
+namespace sw {
+
+/// The pixels x0 <= x < x1, y0 <= y < y1 of a picture.
+struct Window {
+    int x0 = 0, y0 = 0;
+    int x1 = 0, y1 = 0;
+
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+};
+
+struct RenderOptions {
+    int tileSize = 16;       ///< pixels per side
+    int threads = 0;         ///< 0: one per hardware thread
+    std::uint64_t seed = 1;  ///< of the random numbers that uniform() hands out
+    /// Told after each tile how many are done. Called by one thread at a time.
+    std::function<void(int done, int total)> progress;
+};
+
+struct RenderStatistics {
+    RayCount rays;
+    int threads = 0;     ///< that took part
+    double seconds = 0;  ///< wall time
+};
+
+/// Fills a window of a picture.
+/// Calls radiance concurrently: it must be thread-safe. Every pixel is written once, with its own
+/// random numbers, so the result is the same for any number of threads.
+/// @param window    must be as large as the image
+/// @param radiance  colour of pixel (x, y), in coordinates of the full picture. The first exception
+///                  it throws ends the rendering and is passed on
+RenderStatistics render(Image& image, const Window& window,
+                        const std::function<Color(int x, int y)>& radiance,
+                        const RenderOptions& options = {});
+
+}  // namespace sw

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "swLight.h"
+#include "swPrimitive.h"
+#include "swSphere.h"
+#include "swTriangle.h"
+
+namespace sw {
+
+/// Primitives, lights and a background. Copies are cheap: they share their content until one of
+/// them changes. Queries may run in many threads at once, changes only while no query runs.
+class Scene {
+public:
+    Scene();
+
+    void push(const Sphere& sphere);
+    void push(const Triangle& triangle);
+    /// For primitives of other classes, a student's own for example. A null pointer is ignored.
+    void push(std::shared_ptr<Primitive> primitive);
+    void push(const Light& light);
+    void setBackground(const Color& color);
+
+    const std::vector<Light>& lights() const;
+    /// What a ray that hits nothing brings back; black unless set.
+    const Color& background() const;
+
+    /// Finds what the ray hits with minT < t < maxT.
+    /// @param hit  the nearest hit; with `any` just one of the hits; unchanged where there is none
+    /// @param any  true: stop at the first hit found, as suits a shadow ray
+    bool intersect(const Ray& ray, Intersection& hit, bool any = false) const;
+    bool intersect(const Ray* ray, Intersection& hit, bool any = false) const {
+        return intersect(*ray, hit, any);
+    }
+
+private:
+    struct Content;
+    Content& ownContent();
+
+    std::shared_ptr<Content> content;
+};
+
+}  // namespace sw

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "swPrimitive.h"
+
+namespace sw {
+
+/// A sphere, hit from outside (front) and from inside (back).
+/// One whose radius is not positive or not finite is never hit.
+class Sphere : public Primitive {
+public:
+    Vec3 center;
+    float radius = 1;
+
+    Sphere() = default;
+    Sphere(const Vec3& middle, float size, const Material& surface)
+        : Primitive(surface), center(middle), radius(size) {}
+
+    bool intersect(const Ray& ray, Intersection& hit) const override;
+    Bounds bounds() const override;
+};
+
+}  // namespace sw

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+#include "options.h"
+#include "output.h"
+#include "swCamera.h"
+#include "swFile.h"
+#include "swImage.h"
+#include "swNff.h"
+#include "swRenderer.h"
+#include "swSampling.h"
+#include "swScene.h"
+
+using namespace sw;
+
+// The light that comes back along a ray (Whitted, An Improved Illumination Model for Shaded
+// Display, 1980): scattered light from every light source that the surface sees, and what arrives
+// from the mirrored and the refracted direction.
+// depth: how many more times the ray may be reflected or refracted
+Color traceRay(const Ray& ray, const Scene& scene, int depth) {
+    Intersection hit;
+    if (!scene.intersect(ray, hit)) return scene.background();
+
+    const Material& material = hit.material;
+    const float r = material.reflectivity;
+    const float t = material.transparency;
+    Color color(0, 0, 0);
+
+    if (1 - r - t > 0) {
+        for (const Light& light : scene.lights()) {
+            const float cosine = hit.normal * (light.position - hit.position).normalize();
+            if (cosine <= 0) continue;  // the surface faces away
+            Intersection blocker;
+            if (scene.intersect(hit.getShadowRay(light.position), blocker, true)) continue;
+            color += (1 - r - t) * cosine * material.color.times(light.color);
+        }
+    }
+    if (depth > 0 && r > 0) color += r * traceRay(hit.getReflectedRay(), scene, depth - 1);
+    if (depth > 0 && t > 0) color += t * traceRay(hit.getRefractedRay(), scene, depth - 1);
+    return color;
+}
+
+// The colour of the pixel whose top left corner is (x, y): the mean of n x n samples, one at a
+// random place in each cell of a grid. A single sample goes through the pixel's centre.
+Color samplePixel(float x, float y, int n, int depth, const Camera& camera, const Scene& scene) {
+    if (n == 1) return traceRay(camera.getRay(x + 0.5f, y + 0.5f), scene, depth);
+
+    const float cells = static_cast<float>(n);
+    Color sum(0, 0, 0);
+    for (float j = 0; j < cells; ++j) {
+        for (float i = 0; i < cells; ++i) {
+            const float dx = (i + uniform()) / cells;
+            const float dy = (j + uniform()) / cells;
+            sum += traceRay(camera.getRay(x + dx, y + dy), scene, depth);
+        }
+    }
+    return sum * (1 / (cells * cells));
+}
+
+// Loads, renders and writes what the command line asks for.
+void run(Options options) {
+    StepTimes seconds;
+    StopWatch watch;
+
+    NffScene file = loadNff(options.scene);
+    settleSize(options, file.width, file.height);
+    requireWritable(options.output);
+    if (!options.stats.empty()) requireWritable(options.stats);
+    seconds.load = watch.lap();
+
+    file.camera.setup(options.width, options.height);
+    Image image(options.crop->width(), options.crop->height());
+    seconds.build = watch.lap();
+
+    const auto pixel = [&](int x, int y) {
+        return samplePixel(static_cast<float>(x), static_cast<float>(y), options.samples,
+                           options.depth, file.camera, file.scene);
+    };
+    const RenderStatistics rendered = render(image, *options.crop, pixel,
+                                             {.threads = options.threads,
+                                              .seed = options.seed,
+                                              .progress = makeProgressBar(options.quiet)});
+    seconds.trace = watch.lap();
+
+    writePng(image, options.output, options.gamma);
+    seconds.write = watch.lap();
+
+    if (!options.stats.empty()) writeFile(options.stats, statsJson(options, rendered, seconds));
+    if (!options.quiet) std::cout << summary(options, rendered, seconds) << std::endl;
+}
+
+// Exit codes: 0 done, 1 unexpected, 2 command line, 3 scene, 4 output.
+int main(int argc, char** argv) {
+    const auto fail = [](int code, const std::exception& error) {
+        std::cerr << "swtracer: " << error.what() << std::endl;
+        return code;
+    };
+    try {
+        run(parseOptions(argc, argv));
+        return 0;
+    } catch (const UsageError& error) {
+        return fail(2, error);
+    } catch (const NffError& error) {
+        return fail(3, error);
+    } catch (const FileError& error) {
+        return fail(4, error);
+    } catch (const std::exception& error) {
+        return fail(1, error);
+    }
+}

@@ -1,0 +1,106 @@
+#include "output.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iomanip>
+#include <iostream>
+#include <locale>
+#include <sstream>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using sw::RayKind;
+
+bool stderrIsTerminal() {
+#ifdef _WIN32
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+// Formats numbers the same way in every locale.
+std::ostringstream plainStream() {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    return stream;
+}
+
+void drawBar(int done, int total, double seconds) {
+    constexpr int width = 40;
+    std::ostringstream line = plainStream();
+    line << "\r[" << std::string(static_cast<std::size_t>(done * width / total), '#')
+         << std::string(static_cast<std::size_t>(width - done * width / total), ' ') << "] "
+         << std::setw(3) << done * 100 / total << " %  " << std::fixed << std::setprecision(1)
+         << seconds * (total - done) / done << " s left ";
+    std::cerr << line.str() << std::flush;
+}
+
+constexpr const char* clearLine = "\r\x1b[K";
+
+}  // namespace
+
+double StopWatch::lap() {
+    const auto now = Clock::now();
+    const std::chrono::duration<double> elapsed = now - start;
+    start = now;
+    return elapsed.count();
+}
+
+std::function<void(int done, int total)> makeProgressBar(bool quiet) {
+    if (quiet || !stderrIsTerminal()) return nullptr;
+    const auto start = Clock::now();
+    return [start, drawn = start](int done, int total) mutable {
+        const auto now = Clock::now();
+        const bool visible = drawn != start;
+        if (done == total) {
+            if (visible) std::cerr << clearLine << std::flush;
+        } else if (now - drawn > std::chrono::milliseconds(100)) {
+            drawn = now;
+            drawBar(done, total, std::chrono::duration<double>(now - start).count());
+        }
+    };
+}
+
+std::string summary(const Options& options, const sw::RenderStatistics& rendered,
+                    const StepTimes& times) {
+    const auto rays = static_cast<double>(rendered.rays.total());
+    std::ostringstream line = plainStream();
+    line << std::filesystem::absolute(options.output).lexically_normal().string() << "  "
+         << options.crop->width() << "x" << options.crop->height() << "  "
+         << options.samples * options.samples << " spp  " << rendered.threads
+         << (rendered.threads == 1 ? " thread  " : " threads  ") << std::setprecision(3)
+         << times.total() << " s  " << rays * 1e-6 << " Mrays  "
+         << rays * 1e-6 / std::max(rendered.seconds, 1e-9) << " Mray/s";
+    return line.str();
+}
+
+std::string statsJson(const Options& options, const sw::RenderStatistics& rendered,
+                      const StepTimes& times) {
+    const sw::RayCount& rays = rendered.rays;
+    std::ostringstream json = plainStream();
+    json << std::setprecision(6) << "{\n"
+         << "  \"width\": " << options.crop->width() << ",\n"
+         << "  \"height\": " << options.crop->height() << ",\n"
+         << "  \"samples\": " << options.samples << ",\n"
+         << "  \"depth\": " << options.depth << ",\n"
+         << "  \"threads\": " << rendered.threads << ",\n"
+         << "  \"seed\": " << options.seed << ",\n"
+         << "  \"rays\": {\"primary\": " << rays[RayKind::primary]
+         << ", \"primary_hits\": " << rays.primaryHits << ", \"shadow\": " << rays[RayKind::shadow]
+         << ", \"reflected\": " << rays[RayKind::reflected]
+         << ", \"refracted\": " << rays[RayKind::refracted]
+         << ", \"other\": " << rays[RayKind::other] << "},\n"
+         << "  \"seconds\": {\"load\": " << times.load << ", \"build\": " << times.build
+         << ", \"trace\": " << times.trace << ", \"write\": " << times.write
+         << ", \"total\": " << times.total() << "}\n"
+         << "}\n";
+    return json.str();
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "options.h"
+#include "swRenderer.h"
+
+/// Wall time of the steps of a run, in seconds.
+struct StepTimes {
+    double load = 0, build = 0, trace = 0, write = 0;
+    double total() const { return load + build + trace + write; }
+};
+
+/// Measures one step after the other.
+class StopWatch {
+public:
+    /// Seconds since the last lap, or since the start.
+    double lap();
+
+private:
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+
+/// A progress bar on stderr, or nothing where stderr is no terminal. Clears itself at the end.
+std::function<void(int done, int total)> makeProgressBar(bool quiet);
+
+/// One line: picture, size, samples, threads, wall time, rays.
+std::string summary(const Options& options, const sw::RenderStatistics& rendered,
+                    const StepTimes& times);
+
+/// The same and more as JSON.
+std::string statsJson(const Options& options, const sw::RenderStatistics& rendered,
+                      const StepTimes& times);

@@ -1,0 +1,8 @@
+#pragma once
+
+#include <filesystem>
+
+/// Where a scene that comes with the program lies: beside an installed program, or in the source
+/// tree that it was built from.
+/// @param program  argv[0]
+std::filesystem::path findShippedScene(const char* name, const char* program);

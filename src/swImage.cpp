@@ -1,0 +1,47 @@
+#include "swImage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+
+#include "swFile.h"
+
+// Static, so that programs with an stb of their own can link the library.
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#include <stb_image_write.h>
+
+namespace sw {
+
+Image::Image(int width, int height)
+    : columns(width),
+      rows(height),
+      pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+std::uint8_t toByte(float linear, float gamma) {
+    if (!(linear > 0)) return 0;  // std::pow of a negative radiance would be NaN
+    const float encoded = std::pow(linear, 1 / gamma);
+    return static_cast<std::uint8_t>(256 * std::min(encoded, 0.999f));
+}
+
+void writePng(const Image& image, const std::filesystem::path& path, float gamma) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(3 * static_cast<std::size_t>(image.width()) *
+                  static_cast<std::size_t>(image.height()));
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            for (const float channel : image.at(x, y).m) bytes.push_back(toByte(channel, gamma));
+
+    std::string png;
+    const auto append = [](void* target, void* data, int size) {
+        static_cast<std::string*>(target)->append(static_cast<const char*>(data),
+                                                  static_cast<std::size_t>(size));
+    };
+    const int written = stbi_write_png_to_func(append, &png, image.width(), image.height(), 3,
+                                               bytes.data(), 3 * image.width());
+    if (written == 0) throw std::bad_alloc();  // its only way to fail
+    writeFile(path, png);
+}
+
+}  // namespace sw

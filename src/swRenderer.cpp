@@ -1,0 +1,110 @@
+#include "swRenderer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "swSampling.h"
+
+namespace sw {
+namespace {
+
+class TileRenderer {
+public:
+    TileRenderer(Image& target, const Window& part, const std::function<Color(int, int)>& colorOf,
+                 const RenderOptions& wanted)
+        : image(target),
+          window(part),
+          radiance(colorOf),
+          options(wanted),
+          tileSize(std::max(1, options.tileSize)),
+          columns((window.width() + tileSize - 1) / tileSize),
+          tiles(columns * ((window.height() + tileSize - 1) / tileSize)) {}
+
+    RenderStatistics run() {
+        std::vector<std::thread> helpers;
+        try {
+            for (int i = 1; i < threadCount(); ++i) helpers.emplace_back([this] { work(); });
+        } catch (const std::system_error&) {
+            // The host grants no more threads: those that run will do.
+        }
+        work();
+        for (std::thread& helper : helpers) helper.join();
+        if (failure) std::rethrow_exception(failure);
+        return {rays, static_cast<int>(helpers.size()) + 1, 0};
+    }
+
+private:
+    int threadCount() const {
+        const int hardware = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+        const int wanted = options.threads > 0 ? options.threads : hardware;
+        return std::clamp(wanted, 1, std::max(1, tiles));
+    }
+
+    // What one thread does: tiles, until none is left.
+    void work() {
+        takeRayCount();  // forgets what the calling thread traced before
+        try {
+            for (int tile = next++; tile < tiles; tile = next++) {
+                renderTile(tile);
+                finishTile();
+            }
+        } catch (...) {
+            next = tiles;
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+        const std::lock_guard lock(mutex);
+        rays += takeRayCount();
+    }
+
+    void renderTile(int tile) {
+        const int left = window.x0 + tile % columns * tileSize;
+        const int top = window.y0 + tile / columns * tileSize;
+        for (int y = top; y < std::min(top + tileSize, window.y1); ++y) {
+            for (int x = left; x < std::min(left + tileSize, window.x1); ++x) {
+                seedPixel(options.seed, x, y);
+                image.at(x - window.x0, y - window.y0) = radiance(x, y);
+            }
+        }
+    }
+
+    void finishTile() {
+        const std::lock_guard lock(mutex);
+        ++done;
+        if (options.progress) options.progress(done, tiles);
+    }
+
+    Image& image;
+    const Window window;
+    const std::function<Color(int, int)>& radiance;
+    const RenderOptions& options;
+    const int tileSize;
+    const int columns;
+    const int tiles;
+
+    std::atomic<int> next{0};
+    std::mutex mutex;  // guards what follows
+    int done = 0;
+    RayCount rays;
+    std::exception_ptr failure;
+};
+
+}  // namespace
+
+RenderStatistics render(Image& image, const Window& window,
+                        const std::function<Color(int x, int y)>& radiance,
+                        const RenderOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    RenderStatistics statistics = TileRenderer(image, window, radiance, options).run();
+    statistics.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return statistics;
+}
+
+}  // namespace sw

@@ -1,0 +1,62 @@
+#include "swSphere.h"
+
+#include <utility>
+
+#include "swNumerics.h"
+
+namespace sw {
+
+using glm::dvec3;
+
+bool Sphere::intersect(const Ray& ray, Intersection& hit) const {
+    const dvec3 d = num::toDouble(ray.dir);
+    const dvec3 f = num::toDouble(ray.orig) - num::toDouble(center);
+    const double r = radius;
+    const double a = dot(d, d);
+
+    // |f x d|^2 / |d|^2 is the squared distance from centre to line: r^2 minus it subtracts two
+    // like-sized numbers, where b^2 - ac subtracts two huge ones (Haines et al., Ray Tracing Gems,
+    // ch. 7).
+    const dvec3 x = cross(f, d);
+    const double discriminant = r * r * a - dot(x, x);
+    if (!(discriminant >= 0 && r > 0)) return false;  // miss, or NaN
+
+    // q adds numbers of one sign; the roots are q / a and, as their product is (f.f - r^2) / a,
+    // (f.f - r^2) / q.
+    const double b = -dot(f, d);
+    const double q = b + std::copysign(std::sqrt(discriminant), b);
+    double entry = q / a;
+    double exit = (dot(f, f) - r * r) / q;
+    if (!std::signbit(b)) std::swap(entry, exit);
+
+    const auto counts = [&](double t) {
+        const float rounded = static_cast<float>(t);
+        return ray.minT < rounded && rounded < ray.maxT;  // false for NaN
+    };
+    const bool front = counts(entry);
+    if (!front && !counts(exit)) return false;
+
+    const double t = front ? entry : exit;
+    const dvec3 outward = glm::normalize(f + t * d);
+    hit.hitT = static_cast<float>(t);
+    // From the centre, not along the ray: on the surface however far the ray came.
+    hit.position = num::toFloat(num::toDouble(center) + r * outward);
+    hit.normal = num::toFloat(front ? outward : -outward);
+    hit.frontFacing = front;
+    hit.material = material;
+    hit.ray = ray;
+    hit.positionError = num::surfaceError(hit.position, 2 * radius);
+    return true;
+}
+
+Bounds Sphere::bounds() const {
+    // Half an ulp may be lost per coordinate; one step outwards gives it back.
+    Bounds box;
+    for (int i = 0; i < 3; ++i) {
+        box.min[i] = std::nextafter(center[i] - radius, -Bounds::infinity);
+        box.max[i] = std::nextafter(center[i] + radius, Bounds::infinity);
+    }
+    return box;
+}
+
+}  // namespace sw
