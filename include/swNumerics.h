@@ -21,8 +21,11 @@ inline Vec3 toFloat(const glm::dvec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// The largest component's magnitude.
 inline float maxAbs(const Vec3& v) {
-    return std::fmax(std::fabs(v.m[0]), std::fmax(std::fabs(v.m[1]), std::fabs(v.m[2])));
+    const float x = std::fabs(v.m[0]), y = std::fabs(v.m[1]), z = std::fabs(v.m[2]);
+    const float xy = x > y ? x : y;  // std::fmax would be a call
+    return xy > z ? xy : z;
 }
 
 /// Bound for Intersection::positionError of a primitive that computes in double.

@@ -35,6 +35,9 @@ public:
         return intersect(*ray, hit, any);
     }
 
+    /// Does now what the first query would do: arranges the primitives for fast search.
+    void prepare() const;
+
 private:
     struct Content;
     Content& ownContent();

@@ -70,6 +70,7 @@ void run(Options options) {
     seconds.load = watch.lap();
 
     file.camera.setup(options.width, options.height);
+    file.scene.prepare();
     Image image(options.crop->width(), options.crop->height());
     seconds.build = watch.lap();
 

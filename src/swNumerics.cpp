@@ -1,14 +1,22 @@
 #include "swNumerics.h"
 
+#include <bit>
+#include <cstdint>
+
 namespace sw::num {
 namespace {
 
-// The float nearest to x among those on the far side of it, in the direction of `towards`.
+// The neighbour of x in the direction of `towards`: floats of one sign are ordered like their bits.
+// Unlike std::nextafter it stays at 0, and it is not a call.
+float neighbour(float x, float towards) {
+    const auto bits = std::bit_cast<std::int32_t>(x);
+    const bool grows = (x > 0) == (towards > 0);
+    return x == 0 || towards == 0 ? x : std::bit_cast<float>(bits + (grows ? 1 : -1));
+}
+
+// x as a float, and one step further so that rounding cannot bring it back.
 float roundTowards(double x, float towards) {
-    const float rounded = static_cast<float>(x);
-    if (towards > 0 && rounded < x) return std::nextafter(rounded, HUGE_VALF);
-    if (towards < 0 && rounded > x) return std::nextafter(rounded, -HUGE_VALF);
-    return rounded;
+    return neighbour(static_cast<float>(x), towards);
 }
 
 }  // namespace

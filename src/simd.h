@@ -1,0 +1,121 @@
+#pragma once
+
+// Eight floats at a time. GCC and clang turn the vector type into whatever the target has (AVX,
+// SSE, NEON); other compilers, and SW_SIMD_PORTABLE, get loops. Results are those of scalar floats.
+
+#include <cstring>
+
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
+
+namespace sw::simd {
+
+constexpr int lanes = 8;
+
+#if defined(__GNUC__) && !defined(SW_SIMD_PORTABLE)
+
+using Float = float __attribute__((vector_size(lanes * sizeof(float))));
+using Mask = int __attribute__((vector_size(lanes * sizeof(int))));  // 0 or -1 per lane
+
+inline Float broadcast(float x) {
+    return Float{} + x;
+}
+inline Float min(Float a, Float b) {
+    return a < b ? a : b;
+}  // b where one is NaN
+inline Float max(Float a, Float b) {
+    return a > b ? a : b;
+}  // b where one is NaN
+inline Float abs(Float a) {
+    return (Float)((Mask)a & 0x7fffffff);
+}
+
+/// x with its sign changed where s is negative (or -0).
+inline Float flipSign(Float x, Float s) {
+    return (Float)((Mask)x ^ ((Mask)s & static_cast<int>(0x80000000)));
+}
+
+/// The last four lanes, then the first four.
+inline Float swapHalves(Float a) {
+    return __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
+}
+
+/// One bit per lane, the first lane lowest.
+inline unsigned bits(Mask m) {
+#if defined(__AVX__)
+    return static_cast<unsigned>(_mm256_movemask_ps((__m256)m));
+#else
+    unsigned result = 0;
+    for (int i = 0; i < lanes; ++i) result |= static_cast<unsigned>(m[i] & 1) << i;
+    return result;
+#endif
+}
+
+#else
+
+struct Float {
+    float lane[lanes];
+};
+struct Mask {
+    bool lane[lanes];
+};
+
+template <typename Result, typename Operation>
+Result each(Operation operation) {
+    Result r;
+    for (int i = 0; i < lanes; ++i) r.lane[i] = operation(i);
+    return r;
+}
+
+inline Float broadcast(float x) {
+    return each<Float>([&](int) { return x; });
+}
+#define SW_SIMD_OPERATOR(Result, op)                                        \
+    inline Result operator op(const Float& a, const Float& b) {             \
+        return each<Result>([&](int i) { return a.lane[i] op b.lane[i]; }); \
+    }
+SW_SIMD_OPERATOR(Float, +)
+SW_SIMD_OPERATOR(Float, -)
+SW_SIMD_OPERATOR(Float, *)
+SW_SIMD_OPERATOR(Mask, <)
+SW_SIMD_OPERATOR(Mask, >)
+SW_SIMD_OPERATOR(Mask, <=)
+#undef SW_SIMD_OPERATOR
+inline Mask operator|(const Mask& a, const Mask& b) {
+    return each<Mask>([&](int i) { return a.lane[i] || b.lane[i]; });
+}
+inline Mask operator&(const Mask& a, const Mask& b) {
+    return each<Mask>([&](int i) { return a.lane[i] && b.lane[i]; });
+}
+inline Float min(const Float& a, const Float& b) {
+    return each<Float>([&](int i) { return a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i]; });
+}
+inline Float max(const Float& a, const Float& b) {
+    return each<Float>([&](int i) { return a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]; });
+}
+inline Float abs(const Float& a) {
+    return each<Float>([&](int i) { return a.lane[i] < 0 ? -a.lane[i] : a.lane[i]; });
+}
+inline Float flipSign(const Float& x, const Float& s) {
+    return each<Float>([&](int i) { return s.lane[i] < 0 ? -x.lane[i] : x.lane[i]; });
+}
+inline Float swapHalves(const Float& a) {
+    return each<Float>([&](int i) { return a.lane[(i + lanes / 2) % lanes]; });
+}
+inline unsigned bits(const Mask& m) {
+    unsigned result = 0;
+    for (int i = 0; i < lanes; ++i) result |= static_cast<unsigned>(m.lane[i]) << i;
+    return result;
+}
+
+#endif
+
+/// Eight neighbouring floats, anywhere in memory.
+inline Float load(const float* p) {
+    Float v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+}
+
+}  // namespace sw::simd
