@@ -18,13 +18,13 @@ public:
     /// Tests one shape. Returns whether the search is over.
     template <typename Shape>
     bool test(const Shape& shape) {
-        // The candidate is a record of its own: a primitive may scribble into it before it knows
-        // that it is missed, and may leave positionError unstated.
-        if (!intersect(shape) || !(rest.minT < candidate.hitT && candidate.hitT < rest.maxT))
-            return false;
+        // A record of its own: a primitive may scribble into it before it knows that it is missed,
+        // and may leave positionError unstated.
+        Intersection candidate;
+        if (!intersect(shape, candidate)) return false;
+        if (!(rest.minT < candidate.hitT && candidate.hitT < rest.maxT)) return false;  // or NaN
         found = true;
         nearest = candidate;
-        candidate.positionError = -1;
         rest.maxT = nearest.hitT;
         filterRay.shorten(nearest.hitT);
         return any;
@@ -36,16 +36,15 @@ public:
 
 private:
     template <typename Shape>
-    bool intersect(const Shape& shape) {
+    bool intersect(const Shape& shape, Intersection& candidate) const {
         return shape.Shape::intersect(rest, candidate);  // known type: no virtual call
     }
-    bool intersect(const std::shared_ptr<Primitive>& shape) {
+    bool intersect(const std::shared_ptr<Primitive>& shape, Intersection& candidate) const {
         return shape->intersect(rest, candidate);
     }
 
     Ray rest;
     Intersection& nearest;
-    Intersection candidate;
 };
 
 /// All shapes of one type, neighbours in memory, behind their filter.
