@@ -21,17 +21,14 @@ struct Bounds {
         return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
     }
 
-    /// Makes the box just large enough to hold p as well. A NaN coordinate changes nothing.
-    void add(const Vec3& p) {
+    /// Makes the box just large enough to hold b as well. A NaN coordinate changes nothing.
+    void add(const Bounds& b) {
         for (int i = 0; i < 3; ++i) {
-            if (p[i] < min[i]) min[i] = p[i];
-            if (p[i] > max[i]) max[i] = p[i];
+            if (b.min[i] < min[i]) min[i] = b.min[i];
+            if (b.max[i] > max[i]) max[i] = b.max[i];
         }
     }
-    void add(const Bounds& b) {
-        add(b.min);
-        add(b.max);
-    }
+    void add(const Vec3& p) { add(Bounds(p, p)); }
 
     /// True if the box holds at least a point and ends on every side.
     bool isFinite() const {
