@@ -15,6 +15,8 @@ namespace sw {
 class Scene {
 public:
     Scene();
+    Scene(const Scene&) = default;  // and no moving: it would leave a scene without content
+    Scene& operator=(const Scene&) = default;
 
     void push(const Sphere& sphere);
     void push(const Triangle& triangle);

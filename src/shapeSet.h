@@ -13,7 +13,7 @@ namespace sw {
 class Search {
 public:
     Search(const Ray& ray, Intersection& result, bool anyHit)
-        : filterRay(ray), any(anyHit), rest(ray), nearest(result) {}
+        : filterRay(ray), any(anyHit), end(ray.maxT), rest(ray), nearest(result) {}
 
     /// Tests one shape. Returns whether the search is over.
     template <typename Shape>
@@ -30,6 +30,13 @@ public:
         return any;
     }
 
+    /// Makes the record name the ray as it was asked. That may have been the record's own ray, which
+    /// the hits have overwritten since.
+    void finish() {
+        nearest.ray = rest;
+        nearest.ray.maxT = end;
+    }
+
     FilterRay filterRay;
     bool found = false;
     const bool any;
@@ -43,6 +50,7 @@ private:
         return shape->intersect(rest, candidate);
     }
 
+    const float end;
     Ray rest;
     Intersection& nearest;
 };

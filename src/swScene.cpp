@@ -84,11 +84,12 @@ void Scene::prepare() const {
 
 bool Scene::intersect(const Ray& ray, Intersection& hit, bool any) const {
     content->prepare();
+    const RayKind kind = ray.kind;  // the ray may be part of the hit record
     Search search(ray, hit, any);
     content->spheres.find(search) || content->triangles.find(search) ||
         findAmong(content->others, search);
-    if (search.found) hit.ray = ray;
-    countRay(ray.kind, search.found);
+    if (search.found) search.finish();
+    countRay(kind, search.found);
     return search.found;
 }
 
