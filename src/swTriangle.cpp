@@ -1,5 +1,7 @@
 #include "swTriangle.h"
 
+#include <algorithm>
+
 #include "swNumerics.h"
 
 // The lab's formula: the plane through v0 with n = (v1 - v0) % (v2 - v0) is met at
@@ -29,31 +31,37 @@ struct Projected {
 
 class Projection {
 public:
-    explicit Projection(const Ray& ray) : kz(dominantAxis(ray.dir)) {
-        kx = kz == 2 ? 0 : kz + 1;
-        ky = kx == 2 ? 0 : kx + 1;
-        for (int i = 0; i < 3; ++i) o[i] = ray.orig.m[i];
-        dx = ray.dir.m[kx];
-        dy = ray.dir.m[ky];
-        dz = ray.dir.m[kz];
+    explicit Projection(const Ray& ray) : axes(axesOf(ray.dir)) {
+        ox = ray.orig.m[axes.x];
+        oy = ray.orig.m[axes.y];
+        oz = ray.orig.m[axes.z];
+        dx = ray.dir.m[axes.x];
+        dy = ray.dir.m[axes.y];
+        dz = ray.dir.m[axes.z];
     }
 
     // Woop's shear times dz, which spares the division: x dz - z dx instead of x - z dx / dz.
     Projected operator()(const Vec3& v) const {
-        const double x = v.m[kx] - o[kx], y = v.m[ky] - o[ky], z = v.m[kz] - o[kz];
+        const double x = v.m[axes.x] - ox, y = v.m[axes.y] - oy, z = v.m[axes.z] - oz;
         return {x * dz - z * dx, y * dz - z * dy, z};
     }
 
     double along() const { return dz; }
 
 private:
-    static int dominantAxis(const Vec3& d) {
+    struct Axes {
+        unsigned char x, y, z;  // right-handed; the direction is longest along z
+    };
+
+    // From a table, as no processor can guess a branch on the direction.
+    static const Axes& axesOf(const Vec3& d) {
+        static constexpr Axes table[2][2] = {{{0, 1, 2}, {0, 1, 2}}, {{2, 0, 1}, {1, 2, 0}}};
         const float x = std::fabs(d.m[0]), y = std::fabs(d.m[1]), z = std::fabs(d.m[2]);
-        return x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+        return table[std::max(x, y) > z][x > y];
     }
 
-    int kx, ky, kz;
-    double o[3];
+    Axes axes;
+    double ox, oy, oz;
     double dx, dy, dz;
 };
 
@@ -81,11 +89,14 @@ bool Triangle::intersect(const Ray& ray, Intersection& hit) const {
     const Projected c = project(vertices[2]);
 
     const double u = edge(b, c), v = edge(c, a), w = edge(a, b);
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
-    const double area = u + v + w;
-    if (area == 0) return false;  // seen edge-on
+    // One test of all signs: a processor cannot guess them one by one.
+    const double lowest = std::min(u, std::min(v, w)), highest = std::max(u, std::max(v, w));
+    if (static_cast<int>(lowest < 0) & static_cast<int>(highest > 0)) return false;
 
-    const double t = (u * a.z + v * b.z + w * c.z) / (area * project.along());
+    // Far from overflow for any floats. Infinite for a triangle seen edge-on, where t is NaN as all
+    // edge functions are 0.
+    const double scale = 1 / ((u + v + w) * project.along());
+    const double t = (u * a.z + v * b.z + w * c.z) * scale;
     const float rounded = static_cast<float>(t);
     if (!(ray.minT < rounded && rounded < ray.maxT)) return false;  // outside, or NaN
 
@@ -95,10 +106,12 @@ bool Triangle::intersect(const Ray& ray, Intersection& hit) const {
     const dvec3 n = cross(e1, e2);
     if (!hasArea(n, e1, e2)) return false;
 
+    const double weight = project.along() * scale;
+    const double against = -dot(n, num::toDouble(ray.dir));
     hit.hitT = rounded;
-    hit.position = num::toFloat(v0 + (v / area) * e1 + (w / area) * e2);
-    hit.frontFacing = dot(n, num::toDouble(ray.dir)) < 0;
-    hit.normal = num::toFloat(glm::normalize(hit.frontFacing ? n : -n));
+    hit.position = num::toFloat(v0 + v * weight * e1 + w * weight * e2);
+    hit.frontFacing = against > 0;
+    hit.normal = num::toFloat(std::copysign(1 / std::sqrt(dot(n, n)), against) * n);
     hit.material = material;
     hit.ray = ray;
     hit.positionError = num::surfaceError(hit.position, sumOfAbs(e1) + sumOfAbs(e2));
