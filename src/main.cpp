@@ -30,7 +30,7 @@ Color traceRay(const Ray& ray, const Scene& scene, int depth) {
     if (1 - r - t > 0) {
         for (const Light& light : scene.lights()) {
             const float cosine = hit.normal * (light.position - hit.position).normalize();
-            if (cosine <= 0) continue;  // the surface faces away
+            if (!(cosine > 0)) continue;  // the surface faces away; or NaN
             Intersection blocker;
             if (scene.intersect(hit.getShadowRay(light.position), blocker, true)) continue;
             color += (1 - r - t) * cosine * material.color.times(light.color);

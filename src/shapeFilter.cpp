@@ -75,6 +75,12 @@ float sphereRow(const Sphere& sphere, std::size_t r) {
     return r < 3 ? sphere.center[static_cast<int>(r)] : sphere.radius;
 }
 
+// An error bound of a few u times x. Infinite, so that nothing is rejected, where terms of the size
+// of x come near the end of the range: their sums may have overflowed.
+Float bound(float roundings, Float x) {
+    return x * 0x1p20f * (roundings * u * 0x1p-20f) + broadcast(smallest);
+}
+
 unsigned keep(Mask rejected, int count) {
     return ~bits(rejected) & ((1u << count) - 1);
 }
@@ -116,16 +122,16 @@ unsigned SphereFilter::candidates(const FilterRay& ray, std::size_t first, int c
     const Float ff = dot(f, f);
     const Float rr = r * r;
     const Float sum = ff + rr;
-    const Mask missed = broadcast(-smallest) - 32 * u * a * sum > b * b - a * (ff - rr);
+    const Mask missed = b * b + bound(32, a * sum) < a * (ff - rr);
 
     // Behind: outside of the sphere and moving away from its centre. |f| |d| <= (f.f + a) / 2.
-    const float start = ray.minT >= 0 ? smallest : HUGE_VALF;
-    const Mask behind = (b > broadcast(start) + 8 * u * (ff + a)) & (ff - rr > 8 * u * sum);
+    const float start = ray.minT >= 0 ? 0 : HUGE_VALF;
+    const Mask behind = (b > broadcast(start) + bound(8, ff + a)) & (ff - rr > bound(8, sum));
 
     // Beyond: every point of the sphere has a t of at least (-b - r |d|) / a, and |d| < 2.
     const Float end = broadcast(ray.maxT) * a;
     const Float nearest = broadcast(0) - b - 2 * r;
-    const Mask beyond = nearest - 8 * u * (ff + a + r) - broadcast(smallest) > end * (1 + 8 * u);
+    const Mask beyond = nearest - bound(8, ff + a + r) > end * (1 + 8 * u);
     return keep(missed | behind | beyond, count);
 }
 
@@ -153,9 +159,10 @@ unsigned TriangleFilter::candidates(const FilterRay& ray, std::size_t first, int
     const Float w = flipSign(dot(d, q), signedDet);
     const Float t = flipSign(dot(e2, q), signedDet);
 
-    const Float detError = 64 * u * extent * extent + broadcast(smallest);
-    const Float vwError = 64 * u * largest(s) * extent + broadcast(smallest);
-    const Float tError = vwError * extent + broadcast(smallest);
+    const Float area = largest(s) * extent;
+    const Float detError = bound(64, extent * extent);
+    const Float vwError = bound(64, area);
+    const Float tError = bound(64, area * extent);
     const Float none = broadcast(0);
     const Mask signKnown = det > detError;
     const Mask outside =
