@@ -1,7 +1,9 @@
 #include "swScene.h"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <thread>
 
 #include "shapeSet.h"
 #include "swRayCount.h"
@@ -11,7 +13,7 @@ namespace sw {
 struct Scene::Content {
     ShapeSet<Sphere, SphereFilter> spheres;
     ShapeSet<Triangle, TriangleFilter> triangles;
-    std::vector<std::shared_ptr<Primitive>> others;
+    ShapeSet<std::shared_ptr<Primitive>, NoFilter> others;
     std::vector<Light> lights;
     Color background;
 
@@ -28,24 +30,16 @@ struct Scene::Content {
         if (ready.load(std::memory_order_acquire)) return;
         const std::lock_guard lock(preparing);
         if (ready.load(std::memory_order_relaxed)) return;
-        spheres.prepare();
-        triangles.prepare();
+        const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+        spheres.prepare(threads);
+        triangles.prepare(threads);
+        others.prepare(threads);
         ready.store(true, std::memory_order_release);
     }
 
     std::atomic<bool> ready{false};
     std::mutex preparing;
 };
-
-namespace {
-
-bool findAmong(const std::vector<std::shared_ptr<Primitive>>& primitives, Search& search) {
-    for (const auto& primitive : primitives)
-        if (search.test(primitive)) return true;
-    return false;
-}
-
-}  // namespace
 
 Scene::Scene() : content(std::make_shared<Content>()) {}
 
@@ -62,7 +56,7 @@ void Scene::push(const Triangle& triangle) {
     ownContent().triangles.push(triangle);
 }
 void Scene::push(std::shared_ptr<Primitive> primitive) {
-    if (primitive) ownContent().others.push_back(std::move(primitive));
+    if (primitive) ownContent().others.push(std::move(primitive));
 }
 void Scene::push(const Light& light) {
     ownContent().lights.push_back(light);
@@ -87,7 +81,7 @@ bool Scene::intersect(const Ray& ray, Intersection& hit, bool any) const {
     const RayKind kind = ray.kind;  // the ray may be part of the hit record
     Search search(ray, hit, any);
     content->spheres.find(search) || content->triangles.find(search) ||
-        findAmong(content->others, search);
+        content->others.find(search);
     if (search.found) search.finish();
     countRay(kind, search.found);
     return search.found;

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "swBounds.h"
+#include "swRay.h"
+
+namespace sw {
+
+/// Bounding volume hierarchy: boxes in, and out come the few that a ray can meet. Knows nothing of
+/// what is inside the boxes. Queries may run in many threads at once.
+class Bvh {
+public:
+    static constexpr int width = 8;      ///< children of a node
+    static constexpr int maxDepth = 48;  ///< levels of nodes, whatever the boxes
+
+    /// What a traversal has looked at.
+    struct Cost {
+        std::uint64_t nodes = 0, primitives = 0;
+    };
+
+    /// 256 bytes: four cache lines.
+    struct alignas(64) Node {
+        float planes[6][width];      ///< min x, y, z, max x, y, z of every child; empty: inf, -inf
+        std::uint32_t child[width];  ///< see isLeaf()
+        std::uint32_t unused[width];
+    };
+
+    Bvh() = default;
+
+    /// @param boxes     finite, at most 2^28; the primitives are known by their numbers in here
+    /// @param leafSize  most primitives per leaf, 1..8
+    /// @param threads   to build with; the tree is the same for any number
+    explicit Bvh(std::span<const Bounds> boxes, int leafSize = 8, int threads = 1);
+
+    /// The numbers of the primitives in the order of the tree: every leaf is a range of this.
+    std::span<const std::uint32_t> order() const { return primitives; }
+    std::span<const Node> tree() const { return nodes; }  ///< the root comes first
+    Bounds bounds() const;      ///< of everything; empty if there is nothing
+    std::size_t bytes() const;  ///< memory for nodes and order()
+
+    /// Visits, nearest first, the leaves whose boxes the ray meets with minT < t < maxT.
+    /// No true intersection inside a box is missed by rounding, for origins up to 2^127.
+    /// @param leaf  bool(std::uint32_t first, std::uint32_t count, float& maxT): tests the
+    ///              primitives order()[first .. first + count), sets maxT to a nearer hit's t;
+    ///              true ends the traversal
+    /// Defined in bvhTraversal.h.
+    template <typename Leaf>
+    Cost closest(const Ray& ray, Leaf&& leaf) const;
+
+    /// The same in any order: faster where the first hit ends it.
+    template <typename Leaf>
+    Cost any(const Ray& ray, Leaf&& leaf) const;
+
+    // A child is a node's index, or the range of a leaf: its first place in order() and its size.
+    static constexpr std::uint32_t leafBit = 1u << 31;
+    static constexpr int sizeShift = 28;
+    static bool isLeaf(std::uint32_t child) { return (child & leafBit) != 0; }
+    static std::uint32_t leafFirst(std::uint32_t child) { return child & ((1u << sizeShift) - 1); }
+    static std::uint32_t leafCount(std::uint32_t child) { return ((child >> sizeShift) & 7) + 1; }
+
+private:
+    std::vector<Node> nodes;
+    std::vector<std::uint32_t> primitives;
+};
+
+}  // namespace sw
