@@ -22,7 +22,7 @@ struct RenderOptions {
     int threads = 0;         ///< 0: one per hardware thread
     std::uint64_t seed = 1;  ///< of the random numbers that uniform() hands out
     /// Told after each tile how many are done. Called by one thread at a time.
-    std::function<void(int done, int total)> progress;
+    std::function<void(int done, int total)> progress = nullptr;
 };
 
 struct RenderStatistics {

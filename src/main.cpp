@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "options.h"
 #include "output.h"
@@ -106,6 +107,8 @@ int main(int argc, char** argv) {
         return fail(3, error);
     } catch (const FileError& error) {
         return fail(4, error);
+    } catch (const std::bad_alloc&) {
+        return fail(2, UsageError("too large for memory; try a smaller --size, or --crop"));
     } catch (const std::exception& error) {
         return fail(1, error);
     }

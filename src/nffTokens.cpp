@@ -30,7 +30,11 @@ std::string printable(std::string_view text) {
     return text.size() > longest ? result + "..." : result;
 }
 
-constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
+// Some editors begin a file with an invisible byte order mark.
+std::string_view withoutMark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
+}
 
 }  // namespace
 
@@ -40,8 +44,10 @@ std::string describe(const NffToken& token) {
 }
 
 NffTokens::NffTokens(std::string_view content, const std::string& fileName)
-    : text(content), name(fileName), position(text.data()), previous{text.substr(0, 0)} {
-    if (text.substr(0, byteOrderMark.size()) == byteOrderMark) position += byteOrderMark.size();
+    : text(withoutMark(content)),
+      name(fileName),
+      position(text.data()),
+      previous{text.substr(0, 0)} {
     advance();
 }
 

@@ -1,8 +1,10 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdlib>
 #include <iostream>
+#include <span>
 
 #include "scenePath.h"
 
@@ -11,41 +13,44 @@ namespace {
 constexpr int largestSide = 16384;
 constexpr long long mostPixels = 1LL << 28;  // 3 GiB of floats
 
-// Reads a whole number at the start of text and removes it.
-bool takeInt(std::string& text, int& value) {
-    try {
-        std::size_t length = 0;
-        value = std::stoi(text, &length);
-        text.erase(0, length);
-        return true;
-    } catch (const std::logic_error&) {
-        return false;
+// Reads whole numbers with separators between them, "512x512" for example, and nothing else.
+// Returns whether the text is just that.
+bool readInts(const std::string& text, char separator, std::span<int> values) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i > 0 && (at == end || *at++ != separator)) return false;
+        const auto result = std::from_chars(at, end, values[i]);
+        if (result.ec != std::errc()) return false;
+        at = result.ptr;
     }
+    return at == end;
 }
 
-void readSize(std::string text, Options& options) {
-    const std::string given = text;
-    const bool read = takeInt(text, options.width) && text.substr(0, 1) == "x" &&
-                      takeInt(text.erase(0, 1), options.height) && text.empty();
+void readSize(const std::string& text, Options& options) {
+    int size[2];
     const auto fits = [](int side) { return side >= 1 && side <= largestSide; };
-    if (!read || !fits(options.width) || !fits(options.height))
-        throw UsageError("--size: expected WIDTHxHEIGHT, each from 1 to 16384, found '" + given +
+    if (!readInts(text, 'x', size) || !fits(size[0]) || !fits(size[1]))
+        throw UsageError("--size: expected WIDTHxHEIGHT, each from 1 to 16384, found '" + text +
                          "'");
+    options.width = size[0];
+    options.height = size[1];
 }
 
-sw::Window toWindow(const std::vector<int>& crop) {
-    const sw::Window window{crop[0], crop[1], crop[2], crop[3]};
-    if (window.x0 < 0 || window.y0 < 0 || window.width() < 1 || window.height() < 1)
-        throw UsageError("--crop: expected x0,y0,x1,y1 with 0 <= x0 < x1 and 0 <= y0 < y1");
-    return window;
+sw::Window readCrop(const std::string& text) {
+    int c[4];
+    if (!readInts(text, ',', c) || c[0] < 0 || c[1] < 0 || c[0] >= c[2] || c[1] >= c[3])
+        throw UsageError(
+            "--crop: expected x0,y0,x1,y1 with 0 <= x0 < x1 and 0 <= y0 < y1, found '" + text +
+            "'");
+    return {c[0], c[1], c[2], c[3]};
 }
 
 }  // namespace
 
 Options parseOptions(int argc, const char* const* argv) {
     Options options;
-    std::string size;
-    std::vector<int> crop;
+    std::string size, crop;
 
     CLI::App app("Renders a scene by Whitted ray tracing.", "swtracer");
     app.set_version_flag("--version", SW_VERSION);
@@ -61,10 +66,10 @@ Options parseOptions(int argc, const char* const* argv) {
     app.add_option("--threads", options.threads, "0: all that the machine has")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
-    app.add_option("--seed", options.seed, "of the random numbers")->capture_default_str();
-    app.add_option("--crop", crop, "x0,y0,x1,y1: only this window of the picture")
-        ->delimiter(',')
-        ->expected(4);
+    app.add_option("--seed", options.seed, "of the random numbers")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    app.add_option("--crop", crop, "x0,y0,x1,y1: only this window of the picture");
     app.add_option("--gamma", options.gamma, "of the picture")
         ->check(CLI::Range(0.1, 10.0))
         ->capture_default_str();
@@ -74,7 +79,8 @@ Options parseOptions(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
         if (app.count("--size") > 0) readSize(size, options);
-        if (!crop.empty()) options.crop = toWindow(crop);
+        if (app.count("--crop") > 0) options.crop = readCrop(crop);
+        if (!(options.gamma > 0)) throw UsageError("--gamma: expected a number, found NaN");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help, --version
         throw UsageError(error.what());

@@ -21,9 +21,14 @@ std::string reason(int error) {
 
 // Where the bytes really go: behind symbolic links, which stay as they are.
 fs::path resolve(const fs::path& path) {
+    if (path.empty()) fail(path, "expected the name of a file, found an empty one");
+    if (path.filename().empty()) fail(path, "is a folder; expected the name of a file");
+    constexpr int mostLinks = 40;
     std::error_code none;
-    const fs::path target = fs::weakly_canonical(fs::absolute(path), none);
-    return none ? fs::absolute(path) : target;
+    fs::path target = fs::absolute(path);
+    for (int i = 0; i < mostLinks && fs::is_symlink(target, none); ++i)
+        target = target.parent_path() / fs::read_symlink(target, none);
+    return target.lexically_normal();
 }
 
 bool isSpecial(const fs::path& path) {
@@ -41,8 +46,7 @@ fs::path temporaryFor(const fs::path& target) {
 
 void requireFolder(const fs::path& path, const fs::path& target) {
     std::error_code none;
-    if (path.filename().empty() || fs::is_directory(target, none))
-        fail(path, "is a folder; expected the name of a file");
+    if (fs::is_directory(target, none)) fail(path, "is a folder; expected the name of a file");
     if (!fs::is_directory(target.parent_path(), none))
         fail(path, "cannot write: there is no folder " + target.parent_path().string() +
                        "; create it or name another");
@@ -72,10 +76,14 @@ std::string readFile(const fs::path& path) {
     if (!fs::exists(path, none)) fail(path, "not found");
     if (fs::is_directory(path, none)) fail(path, "is a folder; expected a file");
     errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (!in) fail(path, "cannot read: " + reason(errno));
-    return content;
+    try {
+        std::ifstream in(path, std::ios::binary);
+        std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+        if (in) return content;
+    } catch (const std::ios_base::failure&) {
+        // Some libraries throw where reading fails half-way; errno says why.
+    }
+    fail(path, "cannot read: " + reason(errno));
 }
 
 void writeFile(const fs::path& path, std::string_view content) {

@@ -1,6 +1,5 @@
 #include "swImage.h"
 
-#include <algorithm>
 #include <cmath>
 #include <new>
 #include <string>
@@ -22,7 +21,7 @@ Image::Image(int width, int height)
 std::uint8_t toByte(float linear, float gamma) {
     if (!(linear > 0)) return 0;  // std::pow of a negative radiance would be NaN
     const float encoded = std::pow(linear, 1 / gamma);
-    return static_cast<std::uint8_t>(256 * std::min(encoded, 0.999f));
+    return static_cast<std::uint8_t>(256 * (encoded < 0.999f ? encoded : 0.999f));
 }
 
 void writePng(const Image& image, const std::filesystem::path& path, float gamma) {

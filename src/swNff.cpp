@@ -84,13 +84,16 @@ private:
 
     void readResolution(View& v) {
         expect("resolution");
-        float size[2];
-        tokens.numbers("resolution", size, 2);
-        for (const float side : size)
-            if (!isWholeNumber(side, 1, largestSide))
-                failAtLast("expected a width and a height from 1 to 16384");
-        v.width = static_cast<int>(size[0]);
-        v.height = static_cast<int>(size[1]);
+        v.width = readSide(0);
+        v.height = readSide(1);
+    }
+
+    int readSide(int before) {
+        float side;
+        tokens.numbers({"resolution", 2, ""}, before, &side, 1);
+        if (!isWholeNumber(side, 1, largestSide))
+            failAtLast("expected a width and a height from 1 to 16384");
+        return static_cast<int>(side);
     }
 
     void readLight() {

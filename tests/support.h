@@ -63,6 +63,8 @@ inline double distance(const Vec3& a, const dvec3& b) {
     const dvec3 d = abs(toDouble(a) - b);
     return std::max(d.x, std::max(d.y, d.z));
 }
-inline double distance(const Vec3& a, const Vec3& b) { return distance(a, toDouble(b)); }
+inline double distance(const Vec3& a, const Vec3& b) {
+    return distance(a, toDouble(b));
+}
 
 }  // namespace test

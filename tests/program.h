@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "files.h"
+#include "png.h"
+
+#ifndef _WIN32
+#include <sys/wait.h>
+#endif
+
+namespace test {
+
+/// What a run of the program left behind.
+struct Run {
+    int code;              ///< exit code; -1 if it crashed
+    std::string out, err;  ///< what it printed
+};
+
+/// A path as a word of the command line.
+inline std::string quoted(const fs::path& path) {
+    return std::string("\"").append(path.string()).append("\"");
+}
+
+inline int lines(const std::string& text) {
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Runs the built program in a folder.
+/// @param before  shell commands that come first, each with its separator: "ulimit -f 1; "
+inline Run swtracer(const TemporaryFolder& folder, const std::string& arguments,
+                    const std::string& before = "") {
+    const TemporaryFolder printed;
+    std::string command = "cd " + quoted(folder.path) + " && " + before + quoted(SW_PROGRAM) + " " +
+                          arguments + " >" + quoted(printed / "out") + " 2>" +
+                          quoted(printed / "err");
+#ifdef _WIN32
+    const int code = std::system(("\"" + command + "\"").c_str());
+#else
+    const int status = std::system(command.c_str());
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+#endif
+    return {code, contentOf(printed / "out"), contentOf(printed / "err")};
+}
+
+}  // namespace test
