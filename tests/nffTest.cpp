@@ -227,8 +227,8 @@ TEST_CASE("any white space separates and comments end with the line") {
         replaced(file, " ", "\n\n"), replaced(file, " ", " \v\f\r "),
         replaced(file, " ", " # a comment: v s 1 2\n"), replaced(file, "\n", "#no space\n"),
         replaced(file, "\n", "#CRLF\r\n"), std::string("\xef\xbb\xbf").append(file),
-        "#" + replaced(file, "\n", " ") + "\n" + file, file + "# no end of line",
-        file.substr(0, file.size() - 1), "\n\n\t " + file + " \t\n");
+        std::string("#").append(replaced(file, "\n", " ")).append("\n").append(file),
+        file + "# no end of line", file.substr(0, file.size() - 1), "\n\n\t " + file + " \t\n");
     CAPTURE(variant);
     const NffScene parsed = parseNff(variant, "test.nff");
     REQUIRE(parsed.scene.lights().size() == 1);
