@@ -46,6 +46,13 @@ sw::Window readCrop(const std::string& text) {
     return {c[0], c[1], c[2], c[3]};
 }
 
+// CLI11 reads "-1" as the largest unsigned number.
+const CLI::Validator notNegative(
+    [](const std::string& text) {
+        return text.find('-') == std::string::npos ? "" : "expected 0 or more, found " + text;
+    },
+    "");
+
 }  // namespace
 
 Options parseOptions(int argc, const char* const* argv) {
@@ -67,7 +74,7 @@ Options parseOptions(int argc, const char* const* argv) {
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     app.add_option("--seed", options.seed, "of the random numbers")
-        ->check(CLI::NonNegativeNumber)
+        ->check(notNegative)
         ->capture_default_str();
     app.add_option("--crop", crop, "x0,y0,x1,y1: only this window of the picture");
     app.add_option("--gamma", options.gamma, "of the picture")

@@ -73,7 +73,7 @@ struct Temporary {
 
 std::string readFile(const fs::path& path) {
     std::error_code none;
-    if (!fs::exists(path, none)) fail(path, "not found");
+    if (!fs::exists(path, none)) fail(path, "not found; is the path right?");
     if (fs::is_directory(path, none)) fail(path, "is a folder; expected a file");
     errno = 0;
     try {

@@ -73,7 +73,7 @@ TEST_CASE("2 for options that do not exist and values that are missing") {
 
 TEST_CASE("3 for a scene that is missing unreadable or malformed") {
     const TemporaryFolder folder;
-    checkFailure(folder, 3, "none.nff", "none.nff: not found");
+    checkFailure(folder, 3, "none.nff", "none.nff: not found; is the path right?");
     checkFailure(folder, 3, ".", "is a folder");
     makeFile(folder / "empty.nff", "");
     checkFailure(folder, 3, "empty.nff", "empty.nff:1:1: expected a view");

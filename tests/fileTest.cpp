@@ -120,7 +120,7 @@ TEST_CASE("asking whether a file can be written changes nothing") {
 TEST_CASE("what cannot be read is an error that names it") {
     const TemporaryFolder folder;
     CHECK(errorOf([&] { readFile(folder / "none"); }) ==
-          (folder / "none").string() + ": not found");
+          (folder / "none").string() + ": not found; is the path right?");
     CHECK(errorOf([&] { readFile(folder.path); }) ==
           folder.path.string() + ": is a folder; expected a file");
 }

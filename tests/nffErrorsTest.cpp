@@ -242,7 +242,8 @@ TEST_CASE("a scene file that cannot be read is an error of the whole file") {
         }
         return std::string();
     };
-    CHECK(messageOf(folder / "none.nff") == (folder / "none.nff").string() + ": not found");
+    CHECK(messageOf(folder / "none.nff") ==
+          (folder / "none.nff").string() + ": not found; is the path right?");
     CHECK(messageOf(folder.path) == folder.path.string() + ": is a folder; expected a file");
     makeFile(folder / "bad.nff", "\nbad");
     CHECK(messageOf(folder / "bad.nff") ==
