@@ -1,8 +1,9 @@
 #include "swFile.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
-#include <iterator>
+#include <memory>
 #include <random>
 #include <system_error>
 
@@ -75,15 +76,19 @@ std::string readFile(const fs::path& path) {
     std::error_code none;
     if (!fs::exists(path, none)) fail(path, "not found; is the path right?");
     if (fs::is_directory(path, none)) fail(path, "is a folder; expected a file");
+    // Not an ifstream: some libraries take a read error for the end of the file.
     errno = 0;
-    try {
-        std::ifstream in(path, std::ios::binary);
-        std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-        if (in) return content;
-    } catch (const std::ios_base::failure&) {
-        // Some libraries throw where reading fails half-way; errno says why.
-    }
-    fail(path, "cannot read: " + reason(errno));
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(
+        std::fopen(path.string().c_str(), "rb"), std::fclose);
+    if (!in) fail(path, "cannot read: " + reason(errno));
+    std::string content;
+    const auto size = fs::file_size(path, none);
+    if (!none) content.reserve(size);
+    char part[1 << 14];
+    while (const std::size_t n = std::fread(part, 1, sizeof part, in.get()))
+        content.append(part, n);
+    if (std::ferror(in.get()) != 0) fail(path, "cannot read: " + reason(errno));
+    return content;
 }
 
 void writeFile(const fs::path& path, std::string_view content) {
