@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "swRay.h"
+#include "swScene.h"
+
+namespace bench {
+
+/// Geometry for everybody: either triangles or spheres.
+struct Model {
+    struct Ball {
+        sw::Vec3 center;
+        float radius;
+    };
+
+    std::string name;
+    std::vector<sw::Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< numbers of vertices
+    std::vector<Ball> balls;
+
+    std::size_t size() const { return triangles.size() + balls.size(); }
+    sw::Triangle triangle(std::size_t i) const;
+};
+
+// All models are about as large as the unit sphere, around the origin, and always the same.
+
+/// A closed surface of 4 n^2 triangles: a sphere with bumps.
+Model bumpySphere(std::uint32_t n);
+
+/// Triangles anywhere in a cube, of a size such that they fill it alike for any number.
+Model triangleSoup(std::uint32_t count);
+
+/// Spheres with nine smaller ones on each, breadth first until there are as many as asked for
+/// (Haines, A Proposal for Standard Graphics Environments, 1987).
+Model sphereflake(std::uint32_t count);
+
+/// Our scene of it, not prepared yet.
+sw::Scene sceneOf(const Model& model);
+
+/// The rays of a square picture of the model, row by row in tiles of 16 x 16.
+std::vector<sw::Ray> primaryRays(int size);
+
+/// Rays from anywhere on a sphere around the model to anywhere in its midst.
+std::vector<sw::Ray> randomRays(int count);
+
+}  // namespace bench

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "swImage.h"
+
+/// The default lab picture in several ways.
+namespace bench {
+
+constexpr int labSamples = 3, labDepth = 3;
+
+/// Colour of pixel (x, y). Called concurrently.
+using Radiance = std::function<sw::Color(int x, int y)>;
+
+/// By the functions of our program.
+Radiance ourPicture(int size);
+
+/// As in the original lab program: virtual calls, textbook kernels, the scene passed by value.
+Radiance originalsPicture(int size);
+
+/// By a minimal renderer on Embree; null where Embree is not installed.
+Radiance embreesPicture(int size);
+
+}  // namespace bench
