@@ -1,20 +1,16 @@
 #include "result.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <locale>
-#include <sstream>
+
+#include "table.h"
 
 namespace bench {
 namespace {
 
-// Formats numbers the same way in every locale.
-std::ostringstream plainStream() {
-    std::ostringstream stream;
-    stream.imbue(std::locale::classic());
-    return stream;
-}
+using report::plainStream;
+using report::Row;
+using report::table;
 
 // Three digits, without powers of ten.
 std::string rounded(double value) {
@@ -36,27 +32,6 @@ std::string describe(const std::optional<Target>& target) {
 
 std::string describe(const std::optional<bool>& met) {
     return !met ? "" : *met ? "yes" : "no";
-}
-
-using Row = std::vector<std::string>;
-
-std::string table(const std::vector<Row>& rows, std::size_t wordColumns) {
-    auto text = plainStream();
-    const auto line = [&](const Row& row, char fill) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            std::size_t width = 0;
-            for (const Row& other : rows) width = std::max(width, other[i].size());
-            const bool words = i < wordColumns;
-            text << "| " << (words ? std::left : std::right) << std::setfill(fill)
-                 << std::setw(static_cast<int>(width)) << row[i]
-                 << (fill == '-' && !words ? ":" : " ");
-        }
-        text << "|\n";
-    };
-    line(rows[0], ' ');
-    line(Row(rows[0].size()), '-');
-    for (std::size_t i = 1; i < rows.size(); ++i) line(rows[i], ' ');
-    return text.str();
 }
 
 std::string quoted(const std::string& text) {

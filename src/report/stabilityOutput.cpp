@@ -2,20 +2,12 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <locale>
-#include <sstream>
 
 #include "gnuplot.h"
+#include "table.h"
 
 namespace report {
 namespace {
-
-// Formats numbers the same way in every locale.
-std::ostringstream plainStream() {
-    std::ostringstream stream;
-    stream.imbue(std::locale::classic());
-    return stream;
-}
 
 std::string number(double value, int digits) {
     auto text = plainStream();
@@ -32,27 +24,6 @@ std::string rough(double value) {
 
 std::string leaks(const MethodResult& result) {
     return result.leaksPerMillion ? number(*result.leaksPerMillion, 0) : "-";
-}
-
-using Row = std::vector<std::string>;
-
-std::string table(const std::vector<Row>& rows) {
-    auto text = plainStream();
-    const auto line = [&](const Row& row, char fill) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            std::size_t width = 0;
-            for (const Row& other : rows) width = std::max(width, other[i].size());
-            const bool words = i == 0;
-            text << "| " << (words ? std::left : std::right) << std::setfill(fill)
-                 << std::setw(static_cast<int>(width)) << row[i]
-                 << (fill == '-' && !words ? ":" : " ");
-        }
-        text << "|\n";
-    };
-    line(rows[0], ' ');
-    line(Row(rows[0].size()), '-');
-    for (std::size_t i = 1; i < rows.size(); ++i) line(rows[i], ' ');
-    return text.str();
 }
 
 // One panel: time to the right, error upwards, a point per method.
@@ -81,7 +52,7 @@ std::string toTable(const std::vector<MethodResult>& results) {
         rows.push_back({result.shape + ": " + result.method, number(result.nanoseconds, 1),
                         number(result.ratio, 2), number(result.overall.wrongPercent, 2),
                         rough(result.overall.largestError), leaks(result)});
-    return table(rows);
+    return table(rows, 1);
 }
 
 std::string toCsv(const std::vector<MethodResult>& results) {
