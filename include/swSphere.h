@@ -4,8 +4,9 @@
 
 namespace sw {
 
-/// A sphere, hit from outside (front) and from inside (back).
-/// One whose radius is not positive or not finite is never hit.
+/// A sphere, hit from outside (front) and from inside (back). Of one with a negative radius only
+/// the inside can be seen; that is its front, and from outside rays go through.
+/// One whose radius is 0 or not finite is never hit.
 class Sphere : public Primitive {
 public:
     Vec3 center;

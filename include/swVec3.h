@@ -38,6 +38,8 @@ struct Vec3 {
     /// light of the colour v.
     Vec3 times(const Vec3& v) const { return {m[0] * v.m[0], m[1] * v.m[1], m[2] * v.m[2]}; }
 
+    bool isZero() const { return m[0] == 0 && m[1] == 0 && m[2] == 0; }
+
     /// Euclidean length. Computed in double: squares of components from 1e-36 to 1e37 neither
     /// underflow nor overflow there.
     float norm() const { return static_cast<float>(length()); }

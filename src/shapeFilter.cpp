@@ -115,7 +115,7 @@ unsigned SphereFilter::candidates(const FilterRay& ray, std::size_t first, int c
     const float* row = rows.data() + sphereRows * first;
     const Float3 d = spread(ray.dir);
     const Float3 f = spread(ray.orig) - loadRows(row, stride);
-    const Float r = load(row + 3 * stride);
+    const Float r = abs(load(row + 3 * stride));
     const Float a = broadcast(ray.dirSquared);
 
     const Float b = dot(f, d);

@@ -16,6 +16,31 @@ dvec3 unit(const Vec3& v) {
     return glm::normalize(num::toDouble(v));
 }
 
+bool isBent(const Intersection& hit) {
+    const Vec3& n = hit.geometricNormal;
+    return n.m[0] != 0 || n.m[1] != 0 || n.m[2] != 0;
+}
+
+const Vec3& trueNormal(const Intersection& hit) {
+    return isBent(hit) ? hit.geometricNormal : hit.normal;
+}
+
+// A direction, and whether it passes through the surface.
+struct Refracted {
+    dvec3 direction;
+    bool passes;
+};
+
+// Refracts d at the plane with normal n; both of unit length. eta: the factor of Snell's law.
+Refracted refract(const dvec3& d, const dvec3& n, double eta) {
+    // c = 1 - eta^2 sin^2 is the squared cosine of the refracted ray. The cross product gives the
+    // sine itself; 1 - cos^2 would lose half of its digits near the critical angle.
+    const dvec3 sine = cross(n, d);
+    const double c = 1 - eta * eta * dot(sine, sine);
+    if (!(c >= 0)) return {mirror(d, n), false};  // total internal reflection
+    return {glm::normalize(eta * d - (eta * dot(d, n) + std::sqrt(c)) * n), true};
+}
+
 Ray leave(const Intersection& hit, const Vec3& side, const dvec3& direction, RayKind kind) {
     const Vec3 origin = num::offsetFromSurface(hit.position, side, num::statedOrDefaultError(hit));
     return Ray(origin, num::toFloat(direction), 0, FLT_MAX, kind);
@@ -26,28 +51,33 @@ Ray leave(const Intersection& hit, const Vec3& side, const dvec3& direction, Ray
 Ray Intersection::getShadowRay(const Vec3& lightPos) const {
     // The direction is rounded, so origin + 1 * direction may lie 2u beyond the light; 4u = 2^-22.
     constexpr float shortOfLight = 1 - 0x1p-22f;
-    const Vec3 origin = num::offsetFromSurface(position, normal, num::statedOrDefaultError(*this));
+    const Vec3 origin =
+        num::offsetFromSurface(position, trueNormal(*this), num::statedOrDefaultError(*this));
     return Ray(origin, lightPos - origin, 0, shortOfLight, RayKind::shadow);
 }
 
 Ray Intersection::getReflectedRay() const {
-    return leave(*this, normal, mirror(unit(ray.dir), unit(normal)), RayKind::reflected);
+    const dvec3 d = unit(ray.dir);
+    dvec3 reflected = mirror(d, unit(normal));
+    if (isBent(*this)) {
+        const dvec3 up = unit(geometricNormal);
+        if (!(dot(reflected, up) > 0)) reflected = mirror(d, up);
+    }
+    return leave(*this, trueNormal(*this), reflected, RayKind::reflected);
 }
 
 Ray Intersection::getRefractedRay() const {
     const dvec3 d = unit(ray.dir);
-    const dvec3 n = unit(normal);
     const double index = material.refractiveIndex;
     const double eta = frontFacing ? 1 / index : index;
-
-    // c = 1 - eta^2 sin^2 is the squared cosine of the refracted ray. The cross product gives the
-    // sine itself; 1 - cos^2 would lose half of its digits near the critical angle.
-    const dvec3 sine = cross(n, d);
-    const double c = 1 - eta * eta * dot(sine, sine);
-    if (!(c >= 0)) return leave(*this, normal, mirror(d, n), RayKind::refracted);  // total
-
-    const dvec3 refracted = eta * d - (eta * dot(d, n) + std::sqrt(c)) * n;
-    return leave(*this, -normal, glm::normalize(refracted), RayKind::refracted);
+    Refracted refracted = refract(d, unit(normal), eta);
+    if (isBent(*this)) {
+        const dvec3 up = unit(geometricNormal);
+        const double height = dot(refracted.direction, up);
+        if (!(refracted.passes ? height < 0 : height > 0)) refracted = refract(d, up, eta);
+    }
+    const Vec3& side = trueNormal(*this);
+    return leave(*this, refracted.passes ? -side : side, refracted.direction, RayKind::refracted);
 }
 
 }  // namespace sw

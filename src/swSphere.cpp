@@ -11,7 +11,7 @@ using glm::dvec3;
 bool Sphere::intersect(const Ray& ray, Intersection& hit) const {
     const dvec3 d = num::toDouble(ray.dir);
     const dvec3 f = num::toDouble(ray.orig) - num::toDouble(center);
-    const double r = radius;
+    const double r = std::fabs(radius);
     const double a = dot(d, d);
 
     // |f x d|^2 / |d|^2 is the squared distance from centre to line: r^2 minus it subtracts two
@@ -33,28 +33,29 @@ bool Sphere::intersect(const Ray& ray, Intersection& hit) const {
         const float rounded = static_cast<float>(t);
         return ray.minT < rounded && rounded < ray.maxT;  // false for NaN
     };
-    const bool front = counts(entry);
-    if (!front && !counts(exit)) return false;
+    const bool fromOutside = radius > 0 && counts(entry);
+    if (!fromOutside && !counts(exit)) return false;
 
-    const double t = front ? entry : exit;
+    const double t = fromOutside ? entry : exit;
     const dvec3 outward = glm::normalize(f + t * d);
     hit.hitT = static_cast<float>(t);
     // From the centre, not along the ray: on the surface however far the ray came.
     hit.position = num::toFloat(num::toDouble(center) + r * outward);
-    hit.normal = num::toFloat(front ? outward : -outward);
-    hit.frontFacing = front;
+    hit.normal = num::toFloat(fromOutside ? outward : -outward);
+    hit.frontFacing = fromOutside == (radius > 0);
     hit.material = material;
     hit.ray = ray;
-    hit.positionError = num::surfaceError(hit.position, 2 * radius);
+    hit.positionError = num::surfaceError(hit.position, 2 * std::fabs(radius));
     return true;
 }
 
 Bounds Sphere::bounds() const {
     // Half an ulp may be lost per coordinate; one step outwards gives it back.
+    const float r = std::fabs(radius);
     Bounds box;
     for (int i = 0; i < 3; ++i) {
-        box.min[i] = std::nextafter(center[i] - radius, -Bounds::infinity);
-        box.max[i] = std::nextafter(center[i] + radius, Bounds::infinity);
+        box.min[i] = std::nextafter(center[i] - r, -Bounds::infinity);
+        box.max[i] = std::nextafter(center[i] + r, Bounds::infinity);
     }
     return box;
 }

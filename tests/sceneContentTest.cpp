@@ -35,7 +35,7 @@ Vec3 spoilt(Vec3 v, Random& random) {
 
 // Primitives around the origin that can never be hit. Their number is 97.
 void pushUnhittable(Scene& scene, Random& random) {
-    const float badRadius[] = {HUGE_VALF, -HUGE_VALF, NAN, -1, 0};
+    const float badRadius[] = {HUGE_VALF, -HUGE_VALF, NAN, -0.0f, 0};
     scene.push(Sphere(Vec3(0, 0, 0), badRadius[random.whole(0, 4)], number(97)));
     scene.push(Sphere(spoilt(random.point(5), random), 3, number(97)));
     Vec3 v[] = {random.point(9), random.point(9), random.point(9)};

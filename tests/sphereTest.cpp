@@ -138,6 +138,29 @@ TEST_CASE("a longer direction meets the sphere at a smaller t in the same place"
     CHECK(distance(scaled.position, hit.position) <= 1e-4 * sphere.radius);
 }
 
+TEST_CASE("of a sphere with a negative radius the inside alone is seen, as its front") {
+    const auto start = GENERATE(Start::outside, Start::inside);
+    const auto seed = GENERATE(range(0u, 500u));
+    CAPTURE(start, seed);
+    Random random(seed);
+    const Sphere sphere = randomSphere(random);
+    const Sphere inside(sphere.center, -sphere.radius, paint);
+    Ray ray = randomRay(random, sphere, random.uniform(0, 0.99), start);
+    Intersection hit, expected;
+    REQUIRE(inside.intersect(ray, hit));
+    REQUIRE(sphere.intersect(ray, expected));
+    if (expected.frontFacing) ray.minT = expected.hitT;  // its inside comes next
+    REQUIRE(sphere.intersect(ray, expected));
+    CHECK_FALSE(expected.frontFacing);
+    CHECK(hit.frontFacing);
+    CHECK(hit.hitT == expected.hitT);
+    CHECK(distance(hit.position, expected.position) == 0);
+    CHECK(distance(hit.normal, expected.normal) == 0);
+    CHECK(hit.positionError == expected.positionError);
+    CHECK(distance(inside.bounds().min, sphere.bounds().min) == 0);
+    CHECK(distance(inside.bounds().max, sphere.bounds().max) == 0);
+}
+
 TEST_CASE("a sphere is hit strictly between minT and maxT") {
     const Sphere sphere({0, 0, 0}, 1, paint);
     // Enters at t = 4 and leaves at t = 8.
@@ -186,7 +209,7 @@ TEST_CASE("a ray with a number that is not finite never hits a sphere") {
 
 TEST_CASE("a sphere whose numbers make no sphere is never hit") {
     const Ray ray(GENERATE(Vec3(0, 0, 5), Vec3(0, 0, 0), Vec3(0.5f, 0, 0)), {0, 0, -1});
-    CHECK_FALSE(isHit(Sphere({0, 0, 0}, GENERATE(0.0f, -1.0f, NAN, HUGE_VALF), paint), ray));
+    CHECK_FALSE(isHit(Sphere({0, 0, 0}, GENERATE(0.0f, NAN, HUGE_VALF, -HUGE_VALF), paint), ray));
     for (const float bad : {NAN, HUGE_VALF, -HUGE_VALF}) {
         CHECK_FALSE(isHit(Sphere({bad, 0, 0}, 1, paint), ray));
         CHECK_FALSE(isHit(Sphere({0, bad, 0}, 1, paint), ray));

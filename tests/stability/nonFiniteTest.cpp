@@ -35,7 +35,7 @@ Sphere spoiltSphere(Random& random) {
     Sphere sphere = anySphere(random);
     const int kind = random.whole(0, 3);
     if (kind == 0) sphere.radius = notFinite(random);
-    if (kind == 1) sphere.radius = random.coin() ? 0.0f : -sphere.radius;
+    if (kind == 1) sphere.radius = random.coin() ? 0.0f : -0.0f;
     if (kind >= 2) spoil(random, sphere.center);
     if (kind == 3 && random.coin()) sphere.radius = notFinite(random);
     return sphere;
@@ -103,7 +103,7 @@ TEST_CASE("spoilt shapes and rays do not change what others hit") {
             if (random.coin()) mixed.push(spoiltSphere(random));
             if (random.coin()) mixed.push(spoiltTriangle(random));
             if (random.whole(0, 9) == 0)
-                mixed.push(std::make_shared<BoundlessSphere>(spoiltSphere(random).center, -1.0f,
+                mixed.push(std::make_shared<BoundlessSphere>(spoiltSphere(random).center, 0.0f,
                                                              Material()));
         }
         for (int i = 0; i < 100; ++i) {

@@ -1,0 +1,68 @@
+#include "swPatch.h"
+
+#include <algorithm>
+
+#include "swNumerics.h"
+
+namespace sw {
+namespace {
+
+using glm::dvec3;
+
+dvec3 side(const Triangle& triangle, int i) {
+    return num::toDouble(triangle.vertices[i]) - num::toDouble(triangle.vertices[0]);
+}
+
+// As unit as floats can be: scaling such a normal again would only change its last digits.
+bool isUnit(const dvec3& n) {
+    return std::fabs(dot(n, n) - 1) <= 8 * num::unitRoundoff;
+}
+
+// n as floats of unit length; `otherwise` where n has no direction.
+Vec3 unitOr(const dvec3& n, const Vec3& otherwise) {
+    if (isUnit(n)) return num::toFloat(n);
+    const double length = std::sqrt(dot(n, n));
+    return length > 0 && length < HUGE_VAL ? num::toFloat(n / length) : otherwise;
+}
+
+// Where a point of the triangle's plane lies: v0 + v (v1 - v0) + w (v2 - v0).
+struct Spot {
+    double v, w;
+};
+
+// The lab's formula in swTriangle.cpp. At a vertex the result is exactly 0 or 1; rounding of the
+// point may put it outside by a little.
+Spot spotOf(const Triangle& triangle, const Vec3& point) {
+    const dvec3 e1 = side(triangle, 1), e2 = side(triangle, 2), n = cross(e1, e2);
+    const dvec3 p = num::toDouble(point) - num::toDouble(triangle.vertices[0]);
+    const double area = dot(n, n);
+    const double v = std::clamp(dot(cross(p, e2), n) / area, 0.0, 1.0);
+    return {v, std::clamp(dot(cross(e1, p), n) / area, 0.0, 1 - v)};
+}
+
+}  // namespace
+
+Patch::Patch(const Vec3* v, const Vec3* n, const Material& surface)
+    : Primitive(surface), triangle(v, surface) {
+    const Vec3 own = unitOr(cross(side(triangle, 1), side(triangle, 2)), Vec3());
+    for (int i = 0; i < 3; ++i) normals[i] = unitOr(num::toDouble(n[i]), own);
+}
+
+bool Patch::intersect(const Ray& ray, Intersection& hit) const {
+    if (!triangle.intersect(ray, hit)) return false;
+    hit.material = material;
+    hit.geometricNormal = hit.normal;
+
+    const auto [v, w] = spotOf(triangle, hit.position);
+    const dvec3 n0 = num::toDouble(normals[0]);
+    const dvec3 outward =
+        n0 + v * (num::toDouble(normals[1]) - n0) + w * (num::toDouble(normals[2]) - n0);
+    const Vec3 bent = unitOr(hit.frontFacing ? outward : -outward, hit.normal);
+    const dvec3 rounded = num::toDouble(bent);
+    const bool isAbove = dot(rounded, num::toDouble(hit.normal)) > 0;
+    const bool facesRay = dot(rounded, num::toDouble(ray.dir)) < 0;
+    if (isAbove && facesRay) hit.normal = bent;
+    return true;
+}
+
+}  // namespace sw
