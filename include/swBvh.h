@@ -26,7 +26,9 @@ public:
     struct alignas(64) Node {
         float planes[6][width];      ///< min x, y, z, max x, y, z of every child; empty: inf, -inf
         std::uint32_t child[width];  ///< see isLeaf()
-        std::uint32_t unused[width];
+        /// For every octant of directions (bit i: component i is negative) the children from the
+        /// farthest to the nearest, three bits each.
+        std::uint32_t order[width];
     };
 
     Bvh() = default;
@@ -39,6 +41,15 @@ public:
     /// The numbers of the primitives in the order of the tree: every leaf is a range of this.
     std::span<const std::uint32_t> order() const { return primitives; }
     std::span<const Node> tree() const { return nodes; }  ///< the root comes first
+    /// Calls visit(std::uint32_t first, std::uint32_t count) for every leaf: a range of order().
+    template <typename Visit>
+    void eachLeaf(const Visit& visit) const {
+        for (const Node& node : nodes)
+            for (int i = 0; i < width; ++i)
+                if (isLeaf(node.child[i]) && node.planes[0][i] <= node.planes[3][i])
+                    visit(leafFirst(node.child[i]), leafCount(node.child[i]));
+    }
+
     Bounds bounds() const;      ///< of everything; empty if there is nothing
     std::size_t bytes() const;  ///< memory for nodes and order()
 

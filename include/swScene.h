@@ -1,14 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
+#include "swCone.h"
 #include "swLight.h"
+#include "swPatch.h"
 #include "swPrimitive.h"
 #include "swSphere.h"
 #include "swTriangle.h"
 
 namespace sw {
+
+/// What a scene consists of, and whether a tree was needed to find its way.
+struct SceneParts {
+    std::size_t spheres = 0, triangles = 0, cones = 0, patches = 0, others = 0;
+    bool tree = false;
+};
 
 /// Primitives, lights and a background. Copies are cheap: they share their content until one of
 /// them changes. Queries may run in many threads at once, changes only while no query runs.
@@ -20,6 +29,8 @@ public:
 
     void push(const Sphere& sphere);
     void push(const Triangle& triangle);
+    void push(const Cone& cone);
+    void push(const Patch& patch);
     /// For primitives of other classes, a student's own for example. A null pointer is ignored.
     void push(std::shared_ptr<Primitive> primitive);
     void push(const Light& light);
@@ -30,7 +41,8 @@ public:
     const Color& background() const;
 
     /// Finds what the ray hits with minT < t < maxT.
-    /// @param hit  the nearest hit; with `any` just one of the hits; unchanged where there is none
+    /// @param hit  the nearest hit; with `any` just one of the hits; where there is none, its
+    ///             content means nothing
     /// @param any  true: stop at the first hit found, as suits a shadow ray
     bool intersect(const Ray& ray, Intersection& hit, bool any = false) const;
     bool intersect(const Ray* ray, Intersection& hit, bool any = false) const {
@@ -39,6 +51,9 @@ public:
 
     /// Does now what the first query would do: arranges the primitives for fast search.
     void prepare() const;
+
+    /// Prepares the scene and tells what it consists of.
+    SceneParts parts() const;
 
 private:
     struct Content;

@@ -24,6 +24,7 @@
 // |exit| margin added after the products, and FLT_MIN against underflow; the axis of an overflowed
 // reciprocal excludes nothing.
 
+#include <array>
 #include <bit>
 #include <cfloat>
 #include <cmath>
@@ -62,13 +63,14 @@ public:
             exitInverse[i] = simd::broadcast(exit);
             entryPlane[i] = (std::signbit(d) ? i + 3 : i) * Bvh::width;
             exitPlane[i] = (std::signbit(d) ? i : i + 3) * Bvh::width;
+            octant |= (std::signbit(d) ? 1u : 0u) << i;
         }
     }
 
     /// @param limit   an upper bound for t, widened
     /// @param entry   receives where the ray enters each box
-    /// @return        one bit for each of the boxes that it meets
-    unsigned meets(const Bvh::Node& node, const simd::Float& limit, simd::Float& entry) const {
+    /// @return        which of the boxes it meets
+    simd::Mask meets(const Bvh::Node& node, const simd::Float& limit, simd::Float& entry) const {
         const float* planes = node.planes[0];
         simd::Float exit = limit;
         entry = minT;
@@ -81,8 +83,10 @@ public:
         if constexpr (behind)
             exit =
                 exit + (simd::abs(exit) * simd::broadcast(slabMargin) + simd::broadcast(FLT_MIN));
-        return simd::bits(entry <= exit);
+        return entry <= exit;
     }
+
+    unsigned octant = 0;  ///< of the direction: bit i is set where component i is negative
 
 private:
     simd::Float origin[3], entryInverse[3], exitInverse[3], minT;
@@ -100,65 +104,69 @@ inline void prefetch([[maybe_unused]] const Bvh::Node* nodes,
 #endif
 }
 
-/// Children still to be visited. Every level of the tree leaves at most seven of them here.
+/// For every set of eight bits the numbers of those that are set, three bits each.
+inline constexpr auto bitNumbers = [] {
+    std::array<std::uint32_t, 1u << Bvh::width> table{};
+    for (unsigned set = 0; set < table.size(); ++set)
+        for (unsigned bit = 0, n = 0; bit < Bvh::width; ++bit)
+            if ((set >> bit & 1) != 0) table[set] |= bit << 3 * n++;
+    return table;
+}();
+
+/// Children still to be visited, the next one on top. Every level of the tree leaves at most seven
+/// of them here.
 class TraversalStack {
 public:
     bool empty() const { return size == 0; }
+
+    std::uint32_t top(int i) const { return children[size - i]; }
 
     /// Takes the top entry off.
     /// @param distance  receives where the ray enters its box
     std::uint32_t pop(float& distance) {
         --size;
-        distance = entries[size].distance;
-        return entries[size].child;
+        distance = distances[size];
+        return children[size];
     }
 
-    /// Picks one of two or more children that are hit and keeps the others for later; with
-    /// `sorted` the nearest.
-    template <bool sorted>
-    std::uint32_t push(const Bvh::Node& node, const Bvh::Node* nodes, unsigned hits,
-                       const simd::Float& entry) {
+    /// Puts the children on the stack that are hit, the first ones in the order at the bottom.
+    /// Without branches: no processor can guess what a ray hits.
+    std::uint32_t push(const Bvh::Node& node, std::uint32_t order, const simd::Mask& hit,
+              const simd::Float& entry) {
+#ifdef SW_SIMD_PERMUTE
+        const simd::Mask inOrder = simd::unpackNumbers(order);
+        const unsigned hits = simd::bits(simd::permute(hit, inOrder));
+        const simd::Mask chosen = simd::permute(inOrder, simd::unpackNumbers(bitNumbers[hits]));
+        simd::Mask child;
+        std::memcpy(&child, node.child, sizeof child);
+        const simd::Mask sortedChildren = simd::permute(child, chosen);
+        const simd::Float sortedDistances = simd::permute(entry, chosen);
+        std::memcpy(children + size, &sortedChildren, sizeof sortedChildren);
+        std::memcpy(distances + size, &sortedDistances, sizeof sortedDistances);
+        size += std::popcount(hits) - 1;
+        return children[size];
+#else
         float distance[simd::lanes];
         std::memcpy(distance, &entry, sizeof distance);
-        const auto next = [&] {
-            const int slot = std::countr_zero(hits);
-            hits &= hits - 1;
-            return Entry{node.child[slot], distance[slot]};
-        };
-        Entry nearest = next();
-        [[maybe_unused]] const int bottom = size;
-        do {
-            Entry e = next();
-            prefetch(nodes, e.child);
-            if constexpr (sorted) {
-                if (e.distance < nearest.distance) std::swap(e, nearest);
-                insert(e, bottom);
-            } else {
-                entries[size++] = e;
-            }
-        } while (hits != 0);
-        return nearest.child;
+        const unsigned hits = simd::bits(hit);
+        for (int i = 0; i < Bvh::width; ++i, order >>= 3) {
+            children[size] = node.child[order & 7];
+            distances[size] = distance[order & 7];
+            size += static_cast<int>(hits >> (order & 7) & 1);
+        }
+        return children[--size];
+#endif
     }
 
 private:
-    struct Entry {
-        std::uint32_t child;
-        float distance;
-    };
-
-    // Keeps the entries from bottom upwards sorted, the nearest on top.
-    void insert(const Entry& e, int bottom) {
-        int place = size++;
-        for (; place > bottom && entries[place - 1].distance < e.distance; --place)
-            entries[place] = entries[place - 1];
-        entries[place] = e;
-    }
-
-    Entry entries[(Bvh::width - 1) * Bvh::maxDepth + 1];
+    // Eight are written at a time.
+    static constexpr int capacity = (Bvh::width - 1) * Bvh::maxDepth + 1 + Bvh::width;
+    std::uint32_t children[capacity];
+    float distances[capacity];
     int size = 0;
 };
 
-template <bool sorted, bool behind, typename Leaf>
+template <bool behind, typename Leaf>
 Bvh::Cost traverse(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
     const RaySlabs<behind> slabs(ray);
     TraversalStack stack;
@@ -171,13 +179,15 @@ Bvh::Cost traverse(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
             const Bvh::Node& node = nodes[child];
             ++cost.nodes;
             simd::Float entry;
-            const unsigned hits = slabs.meets(node, simd::broadcast(limit), entry);
+            const simd::Mask hit = slabs.meets(node, simd::broadcast(limit), entry);
+            const unsigned hits = simd::bits(hit);
             if (std::has_single_bit(hits)) {
                 child = node.child[std::countr_zero(hits)];
                 continue;
             }
             if (hits != 0) {
-                child = stack.push<sorted>(node, nodes, hits, entry);
+                child = stack.push(node, node.order[slabs.octant], hit, entry);
+                for (int i = std::popcount(hits); i > 1; --i) prefetch(nodes, stack.top(i - 1));
                 continue;
             }
         } else {
@@ -193,25 +203,25 @@ Bvh::Cost traverse(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
     }
 }
 
-template <bool sorted, typename Leaf>
+template <typename Leaf>
 Bvh::Cost traverse(std::span<const Bvh::Node> nodes, const Ray& ray, Leaf& leaf) {
     float sum = 0;  // NaN if a coordinate is infinite or NaN: such a ray meets nothing
     for (int i = 0; i < 3; ++i) sum += 0 * ray.orig.m[i] + 0 * ray.dir.m[i];
     if (nodes.empty() || sum != 0 || !(ray.minT < ray.maxT)) return {};
-    if (ray.minT < 0) return traverse<sorted, true>(nodes.data(), ray, leaf);
-    return traverse<sorted, false>(nodes.data(), ray, leaf);
+    if (ray.minT < 0) return traverse<true>(nodes.data(), ray, leaf);
+    return traverse<false>(nodes.data(), ray, leaf);
 }
 
 }  // namespace
 
 template <typename Leaf>
 Bvh::Cost Bvh::closest(const Ray& ray, Leaf&& leaf) const {
-    return traverse<true>(tree(), ray, leaf);
+    return traverse(tree(), ray, leaf);
 }
 
 template <typename Leaf>
 Bvh::Cost Bvh::any(const Ray& ray, Leaf&& leaf) const {
-    return traverse<false>(tree(), ray, leaf);
+    return traverse(tree(), ray, leaf);
 }
 
 }  // namespace sw

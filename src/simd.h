@@ -3,10 +3,15 @@
 // Eight floats at a time. GCC and clang turn the vector type into whatever the target has (AVX,
 // SSE, NEON); other compilers, and SW_SIMD_PORTABLE, get loops. Results are those of scalar floats.
 
+#include <cstdint>
 #include <cstring>
 
 #ifdef __AVX__
 #include <immintrin.h>
+#endif
+
+#if defined(__GNUC__) && defined(__AVX2__) && !defined(SW_SIMD_PORTABLE)
+#define SW_SIMD_PERMUTE  // lanes can be rearranged by numbers that are known only at run time
 #endif
 
 namespace sw::simd {
@@ -19,7 +24,7 @@ using Float = float __attribute__((vector_size(lanes * sizeof(float))));
 using Mask = int __attribute__((vector_size(lanes * sizeof(int))));  // 0 or -1 per lane
 
 inline Float broadcast(float x) {
-    return Float{} + x;
+    return Float{x, x, x, x, x, x, x, x};
 }
 inline Float min(Float a, Float b) {
     return a < b ? a : b;
@@ -51,6 +56,24 @@ inline unsigned bits(Mask m) {
     return result;
 #endif
 }
+
+#ifdef SW_SIMD_PERMUTE
+
+/// Eight numbers of three bits each, the lowest first. Only the lowest three bits of a lane count.
+inline Mask unpackNumbers(std::uint32_t packed) {
+    const __m256i shifts = _mm256_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21);
+    return (Mask)_mm256_srlv_epi32(_mm256_set1_epi32(static_cast<int>(packed)), shifts);
+}
+
+/// The lane of every number.
+inline Mask permute(Mask a, Mask numbers) {
+    return (Mask)_mm256_permutevar8x32_epi32((__m256i)a, (__m256i)numbers);
+}
+inline Float permute(Float a, Mask numbers) {
+    return (Float)permute((Mask)a, numbers);
+}
+
+#endif
 
 #else
 

@@ -5,22 +5,32 @@
 #include <mutex>
 #include <thread>
 
+#include "flatShapes.h"
+#include "shapeBlocks.h"
 #include "shapeSet.h"
 #include "swRayCount.h"
 
 namespace sw {
 
 struct Scene::Content {
-    ShapeSet<Sphere, SphereFilter> spheres;
-    ShapeSet<Triangle, TriangleFilter> triangles;
-    ShapeSet<std::shared_ptr<Primitive>, NoFilter> others;
+    template <typename Shape>
+    using PlainSet = ShapeSet<Shape, PlainBlock, PlainBlocks<Shape>>;
+
+    ShapeSet<Sphere, SphereBlock, SphereBlocks> spheres;
+    ShapeSet<Triangle, TriangleBlock, TriangleBlocks> triangles;
+    PlainSet<Cone> cones;
+    PlainSet<Patch> patches;
+    PlainSet<std::shared_ptr<Primitive>> others;
     std::vector<Light> lights;
     Color background;
+    bool onlySpheresAndTriangles = true;
 
     Content() = default;
     Content(const Content& other)
         : spheres(other.spheres),
           triangles(other.triangles),
+          cones(other.cones),
+          patches(other.patches),
           others(other.others),
           lights(other.lights),
           background(other.background) {}
@@ -33,8 +43,18 @@ struct Scene::Content {
         const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
         spheres.prepare(threads);
         triangles.prepare(threads);
+        cones.prepare(threads);
+        patches.prepare(threads);
         others.prepare(threads);
+        onlySpheresAndTriangles = cones.size() + patches.size() + others.size() == 0;
         ready.store(true, std::memory_order_release);
+    }
+
+    // Returns whether the search is over.
+    bool find(Search& search) const {
+        if (spheres.find(search) || triangles.find(search)) return true;
+        if (onlySpheresAndTriangles) return false;
+        return cones.find(search) || patches.find(search) || others.find(search);
     }
 
     std::atomic<bool> ready{false};
@@ -54,6 +74,12 @@ void Scene::push(const Sphere& sphere) {
 }
 void Scene::push(const Triangle& triangle) {
     ownContent().triangles.push(triangle);
+}
+void Scene::push(const Cone& cone) {
+    ownContent().cones.push(cone);
+}
+void Scene::push(const Patch& patch) {
+    ownContent().patches.push(patch);
 }
 void Scene::push(std::shared_ptr<Primitive> primitive) {
     if (primitive) ownContent().others.push(std::move(primitive));
@@ -76,12 +102,23 @@ void Scene::prepare() const {
     content->prepare();
 }
 
+SceneParts Scene::parts() const {
+    prepare();
+    const Content& c = *content;
+    return {c.spheres.size(),
+            c.triangles.size(),
+            c.cones.size(),
+            c.patches.size(),
+            c.others.size(),
+            c.spheres.hasTree() || c.triangles.hasTree() || c.cones.hasTree() ||
+                c.patches.hasTree() || c.others.hasTree()};
+}
+
 bool Scene::intersect(const Ray& ray, Intersection& hit, bool any) const {
     content->prepare();
     const RayKind kind = ray.kind;  // the ray may be part of the hit record
     Search search(ray, hit, any);
-    content->spheres.find(search) || content->triangles.find(search) ||
-        content->others.find(search);
+    content->find(search);
     if (search.found) search.finish();
     countRay(kind, search.found);
     return search.found;
