@@ -53,18 +53,16 @@ public:
     Bounds bounds() const;      ///< of everything; empty if there is nothing
     std::size_t bytes() const;  ///< memory for nodes and order()
 
-    /// Visits, nearest first, the leaves whose boxes the ray meets with minT < t < maxT.
-    /// No true intersection inside a box is missed by rounding, for origins up to 2^127.
+    /// Visits, roughly from front to back, the leaves whose boxes the ray meets with
+    /// minT < t < maxT. No true intersection inside a box is missed by rounding, for origins up to
+    /// 2^127.
     /// @param leaf  bool(std::uint32_t first, std::uint32_t count, float& maxT): tests the
     ///              primitives order()[first .. first + count), sets maxT to a nearer hit's t;
-    ///              true ends the traversal
+    ///              true ends the traversal. If it has a prefetch(first, count) const, that is told
+    ///              of leaves that may be visited soon.
     /// Defined in bvhTraversal.h.
     template <typename Leaf>
-    Cost closest(const Ray& ray, Leaf&& leaf) const;
-
-    /// The same in any order: faster where the first hit ends it.
-    template <typename Leaf>
-    Cost any(const Ray& ray, Leaf&& leaf) const;
+    Cost traverse(const Ray& ray, Leaf&& leaf) const;
 
     // A child is a node's index, or the range of a leaf: its first place in order() and its size.
     static constexpr std::uint32_t leafBit = 1u << 31;

@@ -29,8 +29,6 @@
 #include <cfloat>
 #include <cmath>
 #include <cstring>
-#include <span>
-#include <utility>
 
 #include "simd.h"
 #include "swBvh.h"
@@ -93,15 +91,13 @@ private:
     std::ptrdiff_t entryPlane[3], exitPlane[3];
 };
 
-/// Asks for a node that will be visited soon: beyond a million primitives most of the time is spent
+/// Asks for what will be visited soon: beyond a million primitives most of the time is spent
 /// waiting for memory.
-inline void prefetch([[maybe_unused]] const Bvh::Node* nodes,
-                     [[maybe_unused]] std::uint32_t child) {
-#ifdef __GNUC__
-    if (Bvh::isLeaf(child)) return;
-    const char* line = reinterpret_cast<const char*>(nodes + child);
-    for (std::size_t i = 0; i < sizeof(Bvh::Node); i += 64) __builtin_prefetch(line + i);
-#endif
+template <typename Leaf>
+void prefetch(const Bvh::Node* nodes, std::uint32_t child, const Leaf& leaf) {
+    if (!Bvh::isLeaf(child)) return simd::prefetch(nodes + child, sizeof(Bvh::Node));
+    if constexpr (requires { leaf.prefetch(child, child); })
+        leaf.prefetch(Bvh::leafFirst(child), Bvh::leafCount(child));
 }
 
 /// For every set of eight bits the numbers of those that are set, three bits each.
@@ -132,7 +128,7 @@ public:
     /// Puts the children on the stack that are hit, the first ones in the order at the bottom.
     /// Without branches: no processor can guess what a ray hits.
     std::uint32_t push(const Bvh::Node& node, std::uint32_t order, const simd::Mask& hit,
-              const simd::Float& entry) {
+                       const simd::Float& entry) {
 #ifdef SW_SIMD_PERMUTE
         const simd::Mask inOrder = simd::unpackNumbers(order);
         const unsigned hits = simd::bits(simd::permute(hit, inOrder));
@@ -167,7 +163,7 @@ private:
 };
 
 template <bool behind, typename Leaf>
-Bvh::Cost traverse(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
+Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
     const RaySlabs<behind> slabs(ray);
     TraversalStack stack;
     Bvh::Cost cost;
@@ -187,7 +183,8 @@ Bvh::Cost traverse(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
             }
             if (hits != 0) {
                 child = stack.push(node, node.order[slabs.octant], hit, entry);
-                for (int i = std::popcount(hits); i > 1; --i) prefetch(nodes, stack.top(i - 1));
+                for (int i = std::popcount(hits); i > 1; --i)
+                    prefetch(nodes, stack.top(i - 1), leaf);
                 continue;
             }
         } else {
@@ -203,25 +200,15 @@ Bvh::Cost traverse(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
     }
 }
 
-template <typename Leaf>
-Bvh::Cost traverse(std::span<const Bvh::Node> nodes, const Ray& ray, Leaf& leaf) {
-    float sum = 0;  // NaN if a coordinate is infinite or NaN: such a ray meets nothing
-    for (int i = 0; i < 3; ++i) sum += 0 * ray.orig.m[i] + 0 * ray.dir.m[i];
-    if (nodes.empty() || sum != 0 || !(ray.minT < ray.maxT)) return {};
-    if (ray.minT < 0) return traverse<true>(nodes.data(), ray, leaf);
-    return traverse<false>(nodes.data(), ray, leaf);
-}
-
 }  // namespace
 
 template <typename Leaf>
-Bvh::Cost Bvh::closest(const Ray& ray, Leaf&& leaf) const {
-    return traverse(tree(), ray, leaf);
-}
-
-template <typename Leaf>
-Bvh::Cost Bvh::any(const Ray& ray, Leaf&& leaf) const {
-    return traverse(tree(), ray, leaf);
+Bvh::Cost Bvh::traverse(const Ray& ray, Leaf&& leaf) const {
+    float sum = 0;  // NaN if a coordinate is infinite or NaN: such a ray meets nothing
+    for (int i = 0; i < 3; ++i) sum += 0 * ray.orig.m[i] + 0 * ray.dir.m[i];
+    if (nodes.empty() || sum != 0 || !(ray.minT < ray.maxT)) return {};
+    if (ray.minT < 0) return traverseNodes<true>(nodes.data(), ray, leaf);
+    return traverseNodes<false>(nodes.data(), ray, leaf);
 }
 
 }  // namespace sw

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "filterKernels.h"
+#include "largePages.h"
 
 namespace sw {
 namespace {
@@ -17,7 +18,7 @@ template <typename Shape, std::size_t rowCount, typename Row>
 std::vector<float> makeRows(const std::vector<Shape>& shapes, std::span<const std::uint32_t> order,
                             std::span<const int> blocks, Row row) {
     std::vector<float> rows;
-    rows.reserve(order.size() * rowCount + simd::lanes);
+    reserveInLargePages(rows, order.size() * rowCount + simd::lanes);
     std::size_t first = 0;
     for (const int count : blocks) {
         const auto block = order.subspan(first, static_cast<std::size_t>(count));
@@ -27,6 +28,12 @@ std::vector<float> makeRows(const std::vector<Shape>& shapes, std::span<const st
     }
     rows.resize(rows.size() + simd::lanes);
     return rows;
+}
+
+template <std::size_t rowCount>
+void prefetchRows(const std::vector<float>& rows, std::size_t first, int count) {
+    simd::prefetch(rows.data() + rowCount * first,
+                   rowCount * static_cast<std::size_t>(count) * sizeof(float));
 }
 
 float sphereRow(const Sphere& sphere, std::size_t r) {
@@ -44,7 +51,7 @@ MaterialTable materialsOf(const std::vector<Shape>& shapes, std::span<const std:
     using Bits = std::array<std::uint32_t, sizeof(Material) / sizeof(std::uint32_t)>;
     std::map<Bits, std::uint32_t> known;  // by their bits: NaN is not equal to itself
     MaterialTable table;
-    table.numbers.reserve(order.size());
+    reserveInLargePages(table.numbers, order.size());
     for (const std::uint32_t i : order) {
         const Material& material = shapes[i].material;
         const auto next = static_cast<std::uint32_t>(table.materials.size());
@@ -73,6 +80,10 @@ Sphere SphereBlocks::shape(std::size_t first, int count, int i) const {
                   materials.of(first + static_cast<std::size_t>(i)));
 }
 
+void SphereBlocks::prefetch(std::size_t first, int count) const {
+    prefetchRows<sphereRows>(rows, first, count);
+}
+
 unsigned SphereBlocks::candidates(const FilterRay& ray, std::size_t first, int count) const {
     const auto stride = static_cast<std::size_t>(count);
     const float* row = rows.data() + sphereRows * first;
@@ -91,6 +102,10 @@ Triangle TriangleBlocks::shape(std::size_t first, int count, int i) const {
     Vec3 v[3];
     for (int k = 0; k < 9; ++k) v[k / 3].m[k % 3] = row[k * count];
     return Triangle(v, materials.of(first + static_cast<std::size_t>(i)));
+}
+
+void TriangleBlocks::prefetch(std::size_t first, int count) const {
+    prefetchRows<triangleRows>(rows, first, count);
 }
 
 unsigned TriangleBlocks::candidates(const FilterRay& ray, std::size_t first, int count) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "filterRay.h"
+#include "simd.h"
 #include "swSphere.h"
 #include "swTriangle.h"
 
@@ -38,6 +39,9 @@ public:
     /// The i-th sphere of a block, as it was.
     Sphere shape(std::size_t first, int count, int i) const;
 
+    /// Asks for a block that will be looked at soon.
+    void prefetch(std::size_t first, int count) const;
+
 private:
     std::vector<float> rows;  // per block: centre x, y, z, radius
     MaterialTable materials;
@@ -49,6 +53,7 @@ public:
                 std::span<const int> blocks);
     unsigned candidates(const FilterRay& ray, std::size_t first, int count) const;
     Triangle shape(std::size_t first, int count, int i) const;
+    void prefetch(std::size_t first, int count) const;
 
 private:
     std::vector<float> rows;  // per block: the vertices' x, y, z; the edges' longest component
@@ -69,6 +74,9 @@ public:
     }
     const Shape& shape(std::size_t first, int, int i) const {
         return shapes[first + static_cast<std::size_t>(i)];
+    }
+    void prefetch(std::size_t first, int count) const {
+        simd::prefetch(&shapes[first], static_cast<std::size_t>(count) * sizeof(Shape));
     }
 
 private:

@@ -89,17 +89,28 @@ private:
         planted = false;
     }
 
-    bool findInTree(Search& search) const {
+    // What the traversal does with a leaf.
+    struct LeafTest {
+        const Leaves& leaves;
+        Search& search;
         bool over = false;
-        const auto leaf = [&](std::uint32_t first, std::uint32_t count, float& maxT) {
+
+        bool operator()(std::uint32_t first, std::uint32_t count, float& maxT) {
             const int n = static_cast<int>(count);
             over = testEach(search, leaves.candidates(search.filterRay, first, n),
                             [&](int i) -> decltype(auto) { return leaves.shape(first, n, i); });
             maxT = search.ray().maxT;
             return over;
-        };
-        search.any ? tree.any(search.ray(), leaf) : tree.closest(search.ray(), leaf);
-        return over;
+        }
+        void prefetch(std::uint32_t first, std::uint32_t count) const {
+            leaves.prefetch(first, static_cast<int>(count));
+        }
+    };
+
+    bool findInTree(Search& search) const {
+        LeafTest leaf{leaves, search};
+        tree.traverse(search.ray(), leaf);
+        return leaf.over;
     }
 
     // Returns whether the search is over.

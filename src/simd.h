@@ -3,6 +3,7 @@
 // Eight floats at a time. GCC and clang turn the vector type into whatever the target has (AVX,
 // SSE, NEON); other compilers, and SW_SIMD_PORTABLE, get loops. Results are those of scalar floats.
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -133,6 +134,14 @@ inline unsigned bits(const Mask& m) {
 }
 
 #endif
+
+/// Asks for memory that will be read soon.
+inline void prefetch([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef __GNUC__
+    const char* line = static_cast<const char*>(memory);
+    for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(line + i);
+#endif
+}
 
 /// Eight neighbouring floats, anywhere in memory.
 inline Float load(const float* p) {

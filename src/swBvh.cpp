@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "bvhBuild.h"
+#include "largePages.h"
 
 namespace sw {
 namespace {
@@ -221,9 +222,11 @@ std::vector<Node> buildTree(Splitter& splitter, std::uint32_t leafSize, int thre
     });
     std::size_t count = top.nodes.size();
     for (const auto& subtree : subtrees) count += subtree.size();
-    top.nodes.reserve(count);
-    for (std::size_t i = 0; i < jobs.size(); ++i) append(top.nodes, subtrees[i], jobs[i]);
-    return std::move(top.nodes);
+    std::vector<Node> nodes;
+    reserveInLargePages(nodes, count);
+    nodes.insert(nodes.end(), top.nodes.begin(), top.nodes.end());
+    for (std::size_t i = 0; i < jobs.size(); ++i) append(nodes, subtrees[i], jobs[i]);
+    return nodes;
 }
 
 }  // namespace

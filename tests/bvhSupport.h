@@ -79,13 +79,13 @@ inline bool meets(const Ray& ray, const Bounds& box) {
 }
 
 /// Which primitives a traversal reaches if nothing is hit.
-inline std::vector<int> reached(const Bvh& bvh, const Ray& ray, bool any) {
+inline std::vector<int> reached(const Bvh& bvh, const Ray& ray) {
     std::vector<int> times(bvh.order().size());
     const auto leaf = [&](std::uint32_t first, std::uint32_t count, float&) {
         for (const auto i : bvh.order().subspan(first, count)) ++times[i];
         return false;
     };
-    any ? bvh.any(ray, leaf) : bvh.closest(ray, leaf);
+    bvh.traverse(ray, leaf);
     return times;
 }
 
@@ -138,7 +138,7 @@ inline void checkTree(const Bvh& bvh, const std::vector<Bounds>& boxes, int leaf
 }
 
 inline Bvh::Cost costOfMiss(const Bvh& bvh, const Ray& ray) {
-    return bvh.closest(ray, [](std::uint32_t, std::uint32_t, float&) { return false; });
+    return bvh.traverse(ray, [](std::uint32_t, std::uint32_t, float&) { return false; });
 }
 
 /// n x n boxes side by side, like a terrain.

@@ -60,7 +60,7 @@ float throughTree(const Shapes& shapes, const Bvh& bvh, Ray ray, bool any) {
         maxT = ray.maxT;
         return any && found;
     };
-    any ? bvh.any(ray, leaf) : bvh.closest(ray, leaf);
+    bvh.traverse(ray, leaf);
     return ray.maxT;
 }
 
@@ -94,12 +94,10 @@ TEST_CASE("no box that a ray meets is missed by rounding") {
         const auto i =
             static_cast<std::size_t>(random.whole(0, static_cast<int>(boxes.size()) - 1));
         const Ray ray = randomRay(random, boxes[i], scale);
-        for (const bool any : {false, true}) {
-            const auto times = reached(bvh, ray, any);
-            for (std::size_t j = 0; j < boxes.size(); ++j) {
-                if (meets(ray, boxes[j])) ++met, missed += times[j] == 0;
-                twice += times[j] > 1;
-            }
+        const auto times = reached(bvh, ray);
+        for (std::size_t j = 0; j < boxes.size(); ++j) {
+            if (meets(ray, boxes[j])) ++met, missed += times[j] == 0;
+            twice += times[j] > 1;
         }
     }
     CAPTURE(seed, scale, met);
@@ -172,6 +170,33 @@ TEST_CASE("the tree is the same for any number of threads") {
     CHECK(std::equal(one.order().begin(), one.order().end(), several.order().begin()));
 }
 
+TEST_CASE("for every octant the children stand in order, the nearest last") {
+    Random random(GENERATE(range(0u, 20u)));
+    const auto boxes = randomBoxes(random, Kind::scattered, random.whole(1, 2000), 1);
+    const Bvh bvh(boxes, 4);
+    int twice = 0, outOfOrder = 0;
+    for (const Bvh::Node& node : bvh.tree()) {
+        for (unsigned octant = 0; octant < 8; ++octant) {
+            unsigned seen = 0;
+            double before = HUGE_VAL;
+            for (std::uint32_t order = node.order[octant], i = 0; i < 8; ++i, order >>= 3) {
+                const auto slot = order & 7;
+                twice += (seen >> slot & 1) != 0;
+                seen |= 1u << slot;
+                if (node.planes[0][slot] > node.planes[3][slot]) continue;  // empty
+                double along = 0;  // in the octant's directions
+                for (unsigned axis = 0; axis < 3; ++axis)
+                    along += ((octant >> axis & 1) != 0 ? -1.0 : 1.0) *
+                             (node.planes[axis][slot] + node.planes[axis + 3][slot]);
+                outOfOrder += along > before + 1e-5;
+                before = along;
+            }
+        }
+    }
+    CHECK(twice == 0);
+    CHECK(outOfOrder == 0);
+}
+
 TEST_CASE("leaves are reached in the order of their distance") {
     std::vector<Bounds> boxes;
     for (int i = 0; i < 1000; ++i) {
@@ -182,13 +207,13 @@ TEST_CASE("leaves are reached in the order of their distance") {
     for (const float sign : {1.0f, -1.0f}) {
         float last = -inf;
         int outOfOrder = 0;
-        bvh.closest(Ray({500 - 600 * sign, 0.5f, 0.5f}, {sign, 0, 0}),
-                    [&](std::uint32_t first, std::uint32_t, float&) {
-                        const float along = sign * boxes[bvh.order()[first]].min[0];
-                        outOfOrder += along < last;
-                        last = along;
-                        return false;
-                    });
+        bvh.traverse(Ray({500 - 600 * sign, 0.5f, 0.5f}, {sign, 0, 0}),
+                     [&](std::uint32_t first, std::uint32_t, float&) {
+                         const float along = sign * boxes[bvh.order()[first]].min[0];
+                         outOfOrder += along < last;
+                         last = along;
+                         return false;
+                     });
         CHECK(outOfOrder == 0);
     }
 }

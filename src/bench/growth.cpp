@@ -36,7 +36,7 @@ double nodesPerRay(const Model& model, const std::vector<sw::Ray>& rays) {
             maxT = rest.maxT;
             return false;
         };
-        nodes += tree.closest(ray, leaf).nodes;
+        nodes += tree.traverse(ray, leaf).nodes;
     }
     return static_cast<double>(nodes) / static_cast<double>(rays.size());
 }

@@ -18,8 +18,19 @@ struct Mixture {
     Shapes shapes;
 };
 
+// The last triangle in integers, so that sums are exact, or its other half.
+std::shared_ptr<Primitive> anyHalf(Random& random, const Shapes& others) {
+    if (!others.empty())
+        if (const auto* last = dynamic_cast<const Triangle*>(others.back().get()))
+            return std::make_shared<Triangle>(otherHalf(*last));
+    Vec3 v[3];
+    for (Vec3& corner : v)
+        for (float& x : corner.m) x = static_cast<float>(random.whole(-10, 10));
+    return std::make_shared<Triangle>(v, Material());
+}
+
 std::shared_ptr<Primitive> anyShape(Random& random, const Shapes& others) {
-    switch (random.whole(0, 11)) {
+    switch (random.whole(0, 16)) {
         case 0:  // a duplicate
             if (!others.empty())
                 return others[static_cast<std::size_t>(
@@ -39,6 +50,20 @@ std::shared_ptr<Primitive> anyShape(Random& random, const Shapes& others) {
         case 6:
         case 7:
             return std::make_shared<Sphere>(anySphere(random));
+        case 8:  // seen from inside
+            return std::make_shared<Sphere>(random.point(10), -random.magnitude(0.1, 30),
+                                            Material());
+        case 9:
+            return std::make_shared<Cone>(random.point(10), random.real(0, 3), random.point(10),
+                                          random.real(0, 3), Material());
+        case 10: {
+            const Vec3 normals[] = {random.direction(), random.direction(), random.direction()};
+            return std::make_shared<Patch>(anyTriangle(random).vertices, normals, Material());
+        }
+        case 11:
+        case 12:
+        case 13:
+            return anyHalf(random, others);
         default:
             return std::make_shared<Triangle>(anyTriangle(random));
     }
@@ -127,8 +152,10 @@ TEST_CASE("a scene finds an extreme triangle exactly where the triangle is hit")
     checkRandomCases(4 * familySize, [](Random& random) {
         const TriangleCase c = randomTriangleCase(random);
         Mixture m;
-        for (int i = random.whole(1, 3); i > 0; --i)
+        for (int i = random.whole(1, 3); i > 0; --i) {
             add(m.scene, m.shapes, std::make_shared<Triangle>(c.triangle));
+            add(m.scene, m.shapes, std::make_shared<Triangle>(otherHalf(c.triangle)));
+        }
         const std::string problem = judge(m, c.ray);
         return problem.empty() ? problem : problem + describe(c.triangle);
     });

@@ -37,6 +37,13 @@ inline sw::Triangle anyTriangle(Random& random) {
     return sw::Triangle(v, anyMaterial(random));
 }
 
+/// The triangle that makes a parallelogram with another one, as nearly as floats can.
+inline sw::Triangle otherHalf(const sw::Triangle& triangle) {
+    const auto& v = triangle.vertices;
+    const Vec3 half[] = {v[1], v[1] + (v[2] - v[0]), v[2]};
+    return sw::Triangle(half, triangle.material);
+}
+
 /// Adds a primitive to a scene, by value where the scene has a type for it, and to a list.
 inline void add(sw::Scene& scene, Shapes& shapes, const std::shared_ptr<sw::Primitive>& shape) {
     shapes.push_back(shape);
@@ -45,6 +52,10 @@ inline void add(sw::Scene& scene, Shapes& shapes, const std::shared_ptr<sw::Prim
         scene.push(static_cast<const sw::Sphere&>(object));
     else if (typeid(object) == typeid(sw::Triangle))
         scene.push(static_cast<const sw::Triangle&>(object));
+    else if (typeid(object) == typeid(sw::Cone))
+        scene.push(static_cast<const sw::Cone&>(object));
+    else if (typeid(object) == typeid(sw::Patch))
+        scene.push(static_cast<const sw::Patch&>(object));
     else
         scene.push(shape);
 }
