@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "swCamera.h"
 #include "swScene.h"
@@ -23,6 +24,9 @@ struct NffScene {
     Camera camera;  ///< set up for the resolution below
     int width;      ///< default size of the picture in pixels
     int height;
+    /// What is odd in the file and yet can be rendered: `file:line:column: warning: ...`, one line
+    /// for each kind of oddity, at its first place.
+    std::vector<std::string> warnings;
 };
 
 /// Reads a scene in Eric Haines' Neutral File Format (Standard Procedural Databases, 1987):
@@ -35,10 +39,15 @@ struct NffScene {
 ///                              refractive index i (ignored where T is 0); Shine is not used.
 ///                              The diffuse part is Kd * (r, g, b), unless Ks + T is 1 or more
 ///     s x y z radius           sphere
-///     p n  x y z  ...          convex polygon of n vertices, counter-clockwise from its front
+///     c x y z r  x y z r       cone or cylinder without lids: base, its radius, apex, its radius
+///     p n  x y z  ...          plane polygon of n vertices, counter-clockwise from its front
+///     pp n  x y z nx ny nz ... patch: the same, with a normal at each vertex for smooth shading
 ///     # ...                    comment until the end of the line
 ///
-/// Any white space separates; the locale does not matter.
+/// Any white space separates; the locale does not matter. Where the radii are negative, only the
+/// inside can be seen. Polygons need not be convex, and vertices may be repeated. What is odd and
+/// yet can be rendered gives a warning: a polygon that crosses itself or is not plane, a cone
+/// without height.
 /// @param name  what error messages call the text
 /// @throws NffError
 NffScene parseNff(std::string_view text, const std::string& name);

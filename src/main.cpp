@@ -9,6 +9,7 @@
 #include "swFile.h"
 #include "swImage.h"
 #include "swNff.h"
+#include "swRayCount.h"
 #include "swRenderer.h"
 #include "swSampling.h"
 #include "swScene.h"
@@ -18,6 +19,7 @@ using namespace sw;
 // The light that comes back along a ray (Whitted, An Improved Illumination Model for Shaded
 // Display, 1980): scattered light from every light source that the surface sees, and what arrives
 // from the mirrored and the refracted direction.
+// No ray is cast whose weight is 0; the statistics count them.
 // depth: how many more times the ray may be reflected or refracted
 Color traceRay(const Ray& ray, const Scene& scene, int depth) {
     Intersection hit;
@@ -28,17 +30,23 @@ Color traceRay(const Ray& ray, const Scene& scene, int depth) {
     const float t = material.transparency;
     Color color(0, 0, 0);
 
-    if (1 - r - t > 0) {
-        for (const Light& light : scene.lights()) {
-            const float cosine = hit.normal * (light.position - hit.position).normalize();
-            if (!(cosine > 0)) continue;  // the surface faces away; or NaN
-            Intersection blocker;
-            if (scene.intersect(hit.getShadowRay(light.position), blocker, true)) continue;
-            color += (1 - r - t) * cosine * material.color.times(light.color);
+    for (const Light& light : scene.lights()) {
+        const float cosine = hit.normal * (light.position - hit.position).normalize();
+        const Color scattered = material.color.times(light.color);
+        if (!(cosine > 0)) {  // or NaN
+            leaveOut(LeftOut::shadowFacingAway);
+        } else if (!(1 - r - t > 0) || scattered.isZero()) {
+            leaveOut(LeftOut::shadowZeroWeight);
+        } else if (Intersection blocker;
+                   !scene.intersect(hit.getShadowRay(light.position), blocker, true)) {
+            color += (1 - r - t) * cosine * scattered;
         }
     }
-    if (depth > 0 && r > 0) color += r * traceRay(hit.getReflectedRay(), scene, depth - 1);
-    if (depth > 0 && t > 0) color += t * traceRay(hit.getRefractedRay(), scene, depth - 1);
+    if (depth > 0) {
+        if (r > 0) color += r * traceRay(hit.getReflectedRay(), scene, depth - 1);
+        if (t > 0) color += t * traceRay(hit.getRefractedRay(), scene, depth - 1);
+        leaveOut(LeftOut::secondaryZeroWeight, !(r > 0) + !(t > 0));
+    }
     return color;
 }
 
@@ -59,6 +67,23 @@ Color samplePixel(float x, float y, int n, int depth, const Camera& camera, cons
     return sum * (1 / (cells * cells));
 }
 
+RenderStatistics renderPicture(Image& image, const Options& options, const Camera& camera,
+                               const Scene& scene) {
+    const auto pixel = [&](int x, int y) {
+        return samplePixel(static_cast<float>(x), static_cast<float>(y), options.samples,
+                           options.depth, camera, scene);
+    };
+    const auto corner = [&](int x, int y) {
+        const Ray ray = camera.getRay(static_cast<float>(x), static_cast<float>(y));
+        return traceRay(ray, scene, options.depth);
+    };
+    const RenderOptions how{.threads = options.threads,
+                            .seed = options.seed,
+                            .progress = makeProgressBar(options.quiet)};
+    return options.corners ? renderCorners(image, *options.crop, corner, how)
+                           : render(image, *options.crop, pixel, how);
+}
+
 // Loads, renders and writes what the command line asks for.
 void run(Options options) {
     StepTimes seconds;
@@ -68,6 +93,7 @@ void run(Options options) {
     settleSize(options, file.width, file.height);
     requireWritable(options.output);
     if (!options.stats.empty()) requireWritable(options.stats);
+    if (!options.quiet) printWarnings(file.warnings);
     seconds.load = watch.lap();
 
     file.camera.setup(options.width, options.height);
@@ -75,20 +101,14 @@ void run(Options options) {
     Image image(options.crop->width(), options.crop->height());
     seconds.build = watch.lap();
 
-    const auto pixel = [&](int x, int y) {
-        return samplePixel(static_cast<float>(x), static_cast<float>(y), options.samples,
-                           options.depth, file.camera, file.scene);
-    };
-    const RenderStatistics rendered = render(image, *options.crop, pixel,
-                                             {.threads = options.threads,
-                                              .seed = options.seed,
-                                              .progress = makeProgressBar(options.quiet)});
+    const RenderStatistics rendered = renderPicture(image, options, file.camera, file.scene);
     seconds.trace = watch.lap();
 
     writePng(image, options.output, options.gamma);
     seconds.write = watch.lap();
 
-    if (!options.stats.empty()) writeFile(options.stats, statsJson(options, rendered, seconds));
+    if (!options.stats.empty())
+        writeFile(options.stats, statsJson(options, rendered, seconds, file.scene));
     if (!options.quiet) std::cout << summary(options, rendered, seconds) << std::endl;
 }
 

@@ -104,12 +104,19 @@ void NffTokens::failAtNumber(const Group& group, int found) const {
 }
 
 void NffTokens::fail(const char* at, const std::string& message) const {
+    throw NffError(place(at) + message);
+}
+
+void NffTokens::failAtLast(const std::string& message) const {
+    fail(last().begin(), message + ", found " + describe(last()));
+}
+
+std::string NffTokens::place(const char* at) const {
     const char* const start = text.data();
     const auto line = 1 + std::count(start, at, '\n');
     const char* lineStart = at;
     while (lineStart != start && lineStart[-1] != '\n') --lineStart;
-    throw NffError(name + ":" + std::to_string(line) + ":" + std::to_string(at - lineStart + 1) +
-                   ": " + message);
+    return name + ":" + std::to_string(line) + ":" + std::to_string(at - lineStart + 1) + ": ";
 }
 
 }  // namespace sw

@@ -44,6 +44,12 @@ public:
     /// Throws NffError with a position in the text. `at` must point into the text or to its end.
     [[noreturn]] void fail(const char* at, const std::string& message) const;
 
+    /// Fails at the last token taken, which is added to the message: ", found '...'".
+    [[noreturn]] void failAtLast(const std::string& message) const;
+
+    /// "file:line:column: " for a position in the text.
+    std::string place(const char* at) const;
+
     /// The last token taken. Where it ends is the place where something is missing.
     const NffToken& last() const { return previous; }
 

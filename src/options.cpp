@@ -67,6 +67,8 @@ Options parseOptions(int argc, const char* const* argv) {
     app.add_option("--samples", options.samples, "N for NxN samples per pixel; 1: its centre")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
+    app.add_flag("--corners", options.corners,
+                 "rays at the corners of pixels, each shared by four, instead of samples");
     app.add_option("--depth", options.depth, "how often a ray may be reflected or refracted")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
@@ -87,6 +89,10 @@ Options parseOptions(int argc, const char* const* argv) {
         app.parse(argc, argv);
         if (app.count("--size") > 0) readSize(size, options);
         if (app.count("--crop") > 0) options.crop = readCrop(crop);
+        if (options.corners && app.count("--samples") > 0)
+            throw UsageError(
+                "--corners: expected no --samples beside it, found both (leave one out)");
+        if (options.corners) options.samples = 1;
         if (!(options.gamma > 0)) throw UsageError("--gamma: expected a number, found NaN");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help, --version

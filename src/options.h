@@ -14,6 +14,7 @@ struct Options {
     std::filesystem::path output = "out.png";
     int width = 0, height = 0;       ///< pixels; 0: the scene's own resolution
     int samples = 3;                 ///< per side of the grid in every pixel
+    bool corners = false;            ///< shoot rays at the pixels' corners instead; samples is 1
     int depth = 3;                   ///< of the recursion: 0 traces primary rays alone
     int threads = 0;                 ///< 0: one per hardware thread
     std::uint64_t seed = 1;          ///< of the jitter

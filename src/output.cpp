@@ -6,6 +6,7 @@
 #include <iostream>
 #include <locale>
 #include <sstream>
+#include <utility>
 
 #ifdef _WIN32
 #include <io.h>
@@ -16,6 +17,7 @@
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using sw::LeftOut;
 using sw::RayKind;
 
 bool stderrIsTerminal() {
@@ -43,6 +45,25 @@ void drawBar(int done, int total, double seconds) {
     std::cerr << line.str() << std::flush;
 }
 
+// Parts of the engine that had nothing to do, as strings of JSON.
+std::string notNeeded(const sw::SceneParts& parts, const sw::RayCount& rays,
+                      const sw::Scene& scene) {
+    const std::pair<const char*, bool> needs[] = {{"tree", parts.tree},
+                                                  {"spheres", parts.spheres > 0},
+                                                  {"triangles", parts.triangles > 0},
+                                                  {"cones", parts.cones > 0},
+                                                  {"patches", parts.patches > 0},
+                                                  {"other primitives", parts.others > 0},
+                                                  {"lights", !scene.lights().empty()},
+                                                  {"shadows", rays[RayKind::shadow] > 0},
+                                                  {"reflection", rays[RayKind::reflected] > 0},
+                                                  {"refraction", rays[RayKind::refracted] > 0}};
+    std::string list;
+    for (const auto& [name, needed] : needs)
+        if (!needed) list += (list.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    return list;
+}
+
 constexpr const char* clearLine = "\r\x1b[K";
 
 }  // namespace
@@ -52,6 +73,10 @@ double StopWatch::lap() {
     const std::chrono::duration<double> elapsed = now - start;
     start = now;
     return elapsed.count();
+}
+
+void printWarnings(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) std::cerr << "swtracer: " << warning << std::endl;
 }
 
 std::function<void(int done, int total)> makeProgressBar(bool quiet) {
@@ -83,13 +108,15 @@ std::string summary(const Options& options, const sw::RenderStatistics& rendered
 }
 
 std::string statsJson(const Options& options, const sw::RenderStatistics& rendered,
-                      const StepTimes& times) {
+                      const StepTimes& times, const sw::Scene& scene) {
     const sw::RayCount& rays = rendered.rays;
+    const sw::SceneParts parts = scene.parts();
     std::ostringstream json = plainStream();
     json << std::setprecision(6) << "{\n"
          << "  \"width\": " << options.crop->width() << ",\n"
          << "  \"height\": " << options.crop->height() << ",\n"
          << "  \"samples\": " << options.samples << ",\n"
+         << "  \"corners\": " << (options.corners ? "true" : "false") << ",\n"
          << "  \"depth\": " << options.depth << ",\n"
          << "  \"threads\": " << rendered.threads << ",\n"
          << "  \"seed\": " << options.seed << ",\n"
@@ -98,6 +125,13 @@ std::string statsJson(const Options& options, const sw::RenderStatistics& render
          << ", \"reflected\": " << rays[RayKind::reflected]
          << ", \"refracted\": " << rays[RayKind::refracted]
          << ", \"other\": " << rays[RayKind::other] << "},\n"
+         << "  \"left_out\": {\"shadow_zero_weight\": " << rays[LeftOut::shadowZeroWeight]
+         << ", \"shadow_facing_away\": " << rays[LeftOut::shadowFacingAway]
+         << ", \"secondary_zero_weight\": " << rays[LeftOut::secondaryZeroWeight] << "},\n"
+         << "  \"primitives\": {\"spheres\": " << parts.spheres
+         << ", \"triangles\": " << parts.triangles << ", \"cones\": " << parts.cones
+         << ", \"patches\": " << parts.patches << ", \"other\": " << parts.others << "},\n"
+         << "  \"not_needed\": [" << notNeeded(parts, rays, scene) << "],\n"
          << "  \"seconds\": {\"load\": " << times.load << ", \"build\": " << times.build
          << ", \"trace\": " << times.trace << ", \"write\": " << times.write
          << ", \"total\": " << times.total() << "}\n"

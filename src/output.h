@@ -3,9 +3,11 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "options.h"
 #include "swRenderer.h"
+#include "swScene.h"
 
 /// Wall time of the steps of a run, in seconds.
 struct StepTimes {
@@ -23,6 +25,9 @@ private:
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
+/// One line on stderr for each.
+void printWarnings(const std::vector<std::string>& warnings);
+
 /// A progress bar on stderr, or nothing where stderr is no terminal. Clears itself at the end.
 std::function<void(int done, int total)> makeProgressBar(bool quiet);
 
@@ -30,6 +35,6 @@ std::function<void(int done, int total)> makeProgressBar(bool quiet);
 std::string summary(const Options& options, const sw::RenderStatistics& rendered,
                     const StepTimes& times);
 
-/// The same and more as JSON.
+/// The same and more as JSON: what was traced, what was left out, and what the scene did not need.
 std::string statsJson(const Options& options, const sw::RenderStatistics& rendered,
-                      const StepTimes& times);
+                      const StepTimes& times, const sw::Scene& scene);

@@ -15,6 +15,10 @@ void countRay(RayKind kind, bool hit) {
     if (hit && kind == RayKind::primary) ++count.primaryHits;
 }
 
+void leaveOut(LeftOut why, int rays) {
+    count.leftOut[static_cast<std::size_t>(why)] += static_cast<std::uint64_t>(rays);
+}
+
 RayCount takeRayCount() {
     return std::exchange(count, RayCount());
 }

@@ -107,4 +107,17 @@ RenderStatistics render(Image& image, const Window& window,
     return statistics;
 }
 
+RenderStatistics renderCorners(Image& image, const Window& window,
+                               const std::function<Color(int x, int y)>& radiance,
+                               const RenderOptions& options) {
+    const Window with{window.x0, window.y0, window.x1 + 1, window.y1 + 1};
+    Image corners(with.width(), with.height());
+    const RenderStatistics statistics = render(corners, with, radiance, options);
+    for (int y = 0; y < window.height(); ++y)
+        for (int x = 0; x < window.width(); ++x)
+            image.at(x, y) = 0.25f * (corners.at(x, y) + corners.at(x + 1, y) +
+                                      corners.at(x, y + 1) + corners.at(x + 1, y + 1));
+    return statistics;
+}
+
 }  // namespace sw

@@ -63,6 +63,11 @@ TEST_CASE("2 for a crop that lies outside the picture or is no window") {
         checkFailure(2, tiny + "--crop=" + crop, "--crop: expected a window within 4x4");
 }
 
+TEST_CASE("2 for samples where rays go through corners") {
+    checkFailure(2, "--corners --samples 3", "--corners: expected no --samples beside it");
+    checkFailure(2, "--samples 1 --corners", "--corners: expected no --samples beside it");
+}
+
 TEST_CASE("2 for options that do not exist and values that are missing") {
     checkFailure(2, "--sizes 4x4", "--sizes");
     checkFailure(2, "-z", "-z");

@@ -1,46 +1,17 @@
-#include <vector>
-
 #include "files.h"
-#include "support.h"
-#include "swNff.h"
+#include "nff.h"
 
 using namespace sw;
 using namespace test;
 
 namespace {
 
-// What parseNff says about the text, or "" if it likes it.
-std::string nffErrorOf(const std::string& text) {
-    try {
-        parseNff(text, "a.nff");
-    } catch (const NffError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-struct Case {
-    std::string text, message;
-};
-
-// The texts follow a good view and a material, which end with line 2.
-const std::string good =
-    "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45 hither 1 resolution 8 8\n"
-    "f 1 1 1 1 0 0 0 1\n";
-
-void check(const std::vector<Case>& cases, const std::string& before = good) {
-    for (const Case& c : cases) {
-        CAPTURE(c.text);
-        CHECK(nffErrorOf(before + c.text) == "a.nff:" + c.message);
-    }
-}
-
-const std::string statementExpected = "expected a statement (v, b, l, f, s or p), found ";
+const std::string statementExpected = "expected a statement (v, b, l, f, s, c, p or pp), found ";
 
 }  // namespace
 
 TEST_CASE("missing numbers are reported where they are missing") {
-    check({
+    checkErrors({
         {"b 1 1\nl 0 0 0", "3:6: expected 3 numbers after 'b', found 2"},
         {"l 0\nb 0 0 0", "3:4: expected 3 numbers after 'l', found 1"},
         {"l 0 0 0 1\nb 0 0 0", "3:10: expected 3 numbers after 'l x y z', found 1"},
@@ -54,6 +25,10 @@ TEST_CASE("missing numbers are reported where they are missing") {
         {"p\ns 0 0 0 1", "3:2: expected 1 number after 'p', found 0"},
         {"p 3\n0 0 0\n1 0 0\n1 1\ns 0 0 0 1",
          "6:4: expected 9 numbers after 'p', found 8 (a polygon has three numbers per vertex)"},
+        {"c 0 0 0 1\n0 1 0\ns 0 0 0 1",
+         "4:6: expected 8 numbers after 'c', found 7 (base and apex, each a point and a radius)"},
+        {"pp 3 0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0\ns 0 0 0 1",
+         "5:6: expected 18 numbers after 'pp', found 15 (a patch has six numbers per vertex)"},
         {"p 4 0 0 0 1 0 0 1 1 0\npp 3",
          "3:22: expected 12 numbers after 'p', found 9 (a polygon has three numbers per vertex)"},
     });
@@ -61,7 +36,7 @@ TEST_CASE("missing numbers are reported where they are missing") {
 
 TEST_CASE("a file that ends too early is reported at its end") {
     const std::string end = " and the end of the file";
-    check({
+    checkErrors({
         {"b 1 1", "3:6: expected 3 numbers after 'b', found 2" + end},
         {"b 1 1 \n\n # comment", "3:6: expected 3 numbers after 'b', found 2" + end},
         {"l", "3:2: expected 3 numbers after 'l', found 0" + end},
@@ -69,18 +44,23 @@ TEST_CASE("a file that ends too early is reported at its end") {
         {"s 0 0 0",
          "3:8: expected 4 numbers after 's', found 3" + end + " (is the radius missing?)"},
         {"p", "3:2: expected 1 number after 'p', found 0" + end},
+        {"p 1000000 0 0 0", "3:16: expected 3000000 numbers after 'p', found 3" + end +
+                                " (a polygon has three numbers per vertex)"},
         {"p 3 0 0 0", "3:10: expected 9 numbers after 'p', found 3" + end +
                           " (a polygon has three numbers per vertex)"},
     });
-    check({{"v", "1:2: expected 'from' in the view, found the end of the file"},
-           {"v from 1 2", "1:11: expected 3 numbers after 'from', found 2" + end},
-           {"v\nfrom 1 2 3\n\n", "2:11: expected 'at' in the view, found the end of the file"}},
-          "");
+    checkErrors(
+        {{"v", "1:2: expected 'from' in the view, found the end of the file"},
+         {"v from 0 0 5 at 0 0 0 up 0 1 0 angle 45 hither 1 resolution 8",
+          "1:62: expected 2 numbers after 'resolution', found 1" + end},
+         {"v from 1 2", "1:11: expected 3 numbers after 'from', found 2" + end},
+         {"v\nfrom 1 2 3\n\n", "2:11: expected 'at' in the view, found the end of the file"}},
+        "");
 }
 
 TEST_CASE("words in place of numbers are reported where they are") {
     const std::string start = "3:7: expected a number, found ";
-    check({
+    checkErrors({
         {"s 0 0 zero 1", start + "'zero'"},
         {"s 0 0 1,5 1", start + "'1,5'"},
         {"s 0 0 1.5f 1", start + "'1.5f'"},
@@ -101,13 +81,13 @@ TEST_CASE("numbers must be finite") {
     const auto spelling = GENERATE(as<std::string>(), "nan", "-nan", "NaN", "inf", "+inf", "-INF",
                                    "infinity", "1e39", "-1e39", "1e400", "3.5e38");
     const std::string message = ": expected a finite number, found '" + spelling + "'";
-    check({{"s 0 " + spelling + " 0 1", "3:5" + message},
-           {"\t\tb " + spelling + " 0 0", "3:5" + message},
-           {"p " + spelling, "3:3" + message}});
+    checkErrors({{"s 0 " + spelling + " 0 1", "3:5" + message},
+                 {"\t\tb " + spelling + " 0 0", "3:5" + message},
+                 {"p " + spelling, "3:3" + message}});
 }
 
 TEST_CASE("unknown statements are reported where they are") {
-    check({
+    checkErrors({
         {"sphere 0 0 0 1", "3:1: " + statementExpected + "'sphere'"},
         {"S 0 0 0 1", "3:1: " + statementExpected + "'S'"},
         {"s 0 0 0 1 2", "3:11: " + statementExpected + "'2'"},
@@ -120,7 +100,7 @@ TEST_CASE("unknown statements are reported where they are") {
 }
 
 TEST_CASE("found text is shown short and printable") {
-    check(
+    checkErrors(
         {{std::string(24, 'x'), "3:1: " + statementExpected + "'" + std::string(24, 'x') + "'"},
          {std::string(25, 'x'), "3:1: " + statementExpected + "'" + std::string(24, 'x') + "...'"},
          {"a\x1b[31m\xff~", "3:1: " + statementExpected + "'a?[31m?~'"},
@@ -131,16 +111,23 @@ TEST_CASE("values out of range are reported where they are") {
     const std::string vertices = "3:3: expected a number of vertices from 3 to 1000000, found ";
     const std::string negative = "3:2: expected Kd, Ks and T of 0 or more, found a negative one";
     const std::string index = "expected a positive index of refraction, as T is positive, found ";
-    check({
-        {"s 0 0 0 0", "3:9: expected a positive radius, found '0'"},
-        {"s 0 0 0\n -1", "4:2: expected a positive radius, found '-1'"},
-        {"s 0 0 0 1e-60", "3:9: expected a positive radius, found '1e-60'"},
+    checkErrors({
+        {"s 0 0 0 0", "3:9: expected a radius other than 0, found '0'"},
+        {"s 0 0 0\n -0", "4:2: expected a radius other than 0, found '-0'"},
+        {"s 0 0 0 1e-60", "3:9: expected a radius other than 0, found '1e-60'"},
         {"p 2 0 0 0 1 1 1", vertices + "'2'"},
         {"p 3.5", vertices + "'3.5'"},
         {"p 1e7", vertices + "'1e7'"},
+        {"p -4", vertices + "'-4'"},
+        {"p 999999999 0 0 0", vertices + "'999999999'"},
+        {"pp 999999999 0 0 0", "3:4" + vertices.substr(3) + "'999999999'"},
         {" f 1 1 1 -0.1 0 0 0 1", negative},
         {" f 1 1 1 1 -0.1 0 0 1", negative},
         {" f 1 1 1 1 0 0 -0.1 1", negative},
+        {"c 0 0 0 1  0 0 1 -2", "3:18: expected two radii of the same sign, found '-2'"},
+        {"c 0 0 0 -1  0 0 1 1e-9", "3:19: expected two radii of the same sign, found '1e-9'"},
+        {"c 0 0 0 0  0 0 1 0",
+         "3:18: expected a radius other than 0 at one end at least, found '0'"},
         {"f 1 1 1 0 0 0 1 0", "3:17: " + index + "'0'"},
         {"f 1 1 1 0 0 0 1 -1.3", "3:17: " + index + "'-1.3'"},
     });
@@ -154,15 +141,16 @@ TEST_CASE("the view is complete and in order") {
         const std::string line = std::to_string(i + 2);
         std::string text = full;
         text.replace(text.find("\n" + words[i]) + 1, words[i].size(), "oops");
-        check({{text, line + ":1: expected '" + words[i] + "' in the view, found 'oops'"}}, "");
+        checkErrors({{text, line + ":1: expected '" + words[i] + "' in the view, found 'oops'"}},
+                    "");
         text = full;
         text.insert(text.find("\n" + words[i]), " 7");
         const std::size_t end = text.find("\n" + words[i]);
         const std::size_t start = text.rfind('\n', end - 1) + 1;
         const std::string column = std::to_string(end - start);
-        check({{text, std::to_string(i + 1) + ":" + column + ": expected '" + words[i] +
-                          "' in the view, found '7'"}},
-              "");
+        checkErrors({{text, std::to_string(i + 1) + ":" + column + ": expected '" + words[i] +
+                                "' in the view, found '7'"}},
+                    "");
     }
 }
 
@@ -176,39 +164,39 @@ TEST_CASE("the view makes sense") {
         "2:2: expected 'up' to point across the view, found it zero or along the view";
     const std::string angle = "3:7: expected an angle between 0 and 180 degrees, found ";
     const std::string size = ": expected a width and a height from 1 to 16384, found ";
-    check({{with("1 2 3", "0 1 0", "45", "8 8"),
-            "2:2: expected 'from' and 'at' to differ, found the same point"},
-           {with("0 0 0", "0 0 0", "45", "8 8"), up},
-           {with("0 0 0", "1 2 3", "45", "8 8"), up},
-           {with("0 0 0", "-10 -20 -30", "45", "8 8"), up},
-           {with("0 0 0", "0 1 0", "0", "8 8"), angle + "'0'"},
-           {with("0 0 0", "0 1 0", "-45", "8 8"), angle + "'-45'"},
-           {with("0 0 0", "0 1 0", "180", "8 8"), angle + "'180'"}},
-          "");
+    checkErrors({{with("1 2 3", "0 1 0", "45", "8 8"),
+                  "2:2: expected 'from' and 'at' to differ, found the same point"},
+                 {with("0 0 0", "0 0 0", "45", "8 8"), up},
+                 {with("0 0 0", "1 2 3", "45", "8 8"), up},
+                 {with("0 0 0", "-10 -20 -30", "45", "8 8"), up},
+                 {with("0 0 0", "0 1 0", "0", "8 8"), angle + "'0'"},
+                 {with("0 0 0", "0 1 0", "-45", "8 8"), angle + "'-45'"},
+                 {with("0 0 0", "0 1 0", "180", "8 8"), angle + "'180'"}},
+                "");
     for (const std::string bad : {"0", "-1", "8.5", "16385", "1e9"}) {
         const std::string found = size + "'" + bad + "'";
-        check({{with("0 0 0", "0 1 0", "45", bad + " 8"), "3:30" + found},
-               {with("0 0 0", "0 1 0", "45", "8 " + bad), "3:32" + found}},
-              "");
+        checkErrors({{with("0 0 0", "0 1 0", "45", bad + " 8"), "3:30" + found},
+                     {with("0 0 0", "0 1 0", "45", "8 " + bad), "3:32" + found}},
+                    "");
     }
     CHECK(nffErrorOf(with("0 0 0", "0 1 0", "0.001", "1 1")).empty());
     CHECK(nffErrorOf(with("0 0 0", "0 1 0", "179.99", "16384 16384")).empty());
 }
 
 TEST_CASE("there is one view") {
-    check({{"\n  " + good, "4:3: expected one view, found a second 'v'"}});
+    checkErrors({{"\n  " + good, "4:3: expected one view, found a second 'v'"}});
     const std::string message = "expected a view ('v') in the file, found none";
-    check({{"", "1:1: " + message},
-           {"\n # comment\n", "1:1: " + message},
-           {"b 0 0 0\nl 1 2 3\n# the end\n", "2:8: " + message}},
-          "");
+    checkErrors({{"", "1:1: " + message},
+                 {"\n # comment\n", "1:1: " + message},
+                 {"b 0 0 0\nl 1 2 3\n# the end\n", "2:8: " + message}},
+                "");
 }
 
 TEST_CASE("objects need a material before them") {
     const std::string message = "expected a material ('f') before the first object, found none";
-    check({{"b 0 0 0\n s 0 0 0 1\nf 1 1 1 1 0 0 0 1", "2:2: " + message},
-           {"p 3 0 0 0 1 0 0 1 1 0", "1:1: " + message}},
-          "");
+    checkErrors({{"b 0 0 0\n s 0 0 0 1\nf 1 1 1 1 0 0 0 1", "2:2: " + message},
+                 {"p 3 0 0 0 1 0 0 1 1 0", "1:1: " + message}},
+                "");
 }
 
 TEST_CASE("lines and columns count from one whatever comes before") {

@@ -1,33 +1,12 @@
-#include "swNff.h"
+#include "nff.h"
 
 #include <clocale>
-#include <iomanip>
 #include <locale>
-#include <sstream>
-#include <vector>
-
-#include "support.h"
 
 using namespace sw;
 using namespace test;
 
 namespace {
-
-const std::string view = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 90\nhither 1\nresolution 8 4\n";
-const std::string grey = "f 0.5 0.5 0.5 1 0 0 0 1\n";
-
-NffScene parse(const std::string& text) {
-    return parseNff(view + text, "test.nff");
-}
-
-std::string text(double number) {
-    std::ostringstream out;
-    out << std::setprecision(9) << number << ' ';
-    return out.str();
-}
-std::string text(const Vec3& v) {
-    return text(v[0]) + text(v[1]) + text(v[2]);
-}
 
 // The material of what stands at the origin.
 Material materialOf(const std::string& statements) {

@@ -113,7 +113,8 @@ TEST_CASE("a crop is the same window of the full picture byte for byte") {
     const int x0 = random.whole(0, width - 1), y0 = random.whole(0, height - 1);
     const int x1 = random.whole(x0 + 1, width), y1 = random.whole(y0 + 1, height);
     CAPTURE(x0, y0, x1, y1);
-    const std::string arguments = mirrors + "--quiet --size 40x30 --samples 2 ";
+    const std::string sampling = GENERATE("--samples 2 ", "--corners ");
+    const std::string arguments = mirrors + "--quiet --size 40x30 " + sampling;
     const auto whole = decodePng(picture(arguments));
     std::vector<std::uint8_t> expected;
     for (int y = y0; y < y1; ++y)
@@ -167,6 +168,39 @@ TEST_CASE("the rays of a picture are exactly those that it needs") {
     CHECK(numberOf(crop, "height") == 7);
 }
 
+TEST_CASE("rays at corners make a picture that depends on nothing but the scene and its size") {
+    const std::string arguments = mirrors + "--quiet --size 24x16 --corners ";
+    const std::string one = picture(arguments + "--threads 1");
+    CHECK((picture(arguments + "--threads 2") == one));
+    CHECK((picture(arguments + "--threads 7 --seed 2") == one));
+    CHECK((picture(arguments + "--depth 1") != one));
+    CHECK((picture(mirrors + "--quiet --size 24x16 --samples 1") != one));
+}
+
+TEST_CASE("rays at corners are counted once and make one sample per pixel") {
+    const std::string arguments = mirrors + "--corners --size 24x16 ";
+    const std::string whole = statsOf(arguments + "-o a.png");
+    CHECK(numberOf(whole, "primary") == 25 * 17);
+    CHECK(numberOf(whole, "width") == 24);
+    CHECK(numberOf(whole, "samples") == 1);
+    CHECK(whole.find("\"corners\": true") != std::string::npos);
+    CHECK(numberOf(statsOf(arguments + "--crop 3,2,20,9 -o a.png"), "primary") == 18 * 8);
+    const TemporaryFolder folder;
+    CHECK(swtracer(folder, arguments).out.find("  24x16  1 spp  ") != std::string::npos);
+}
+
+TEST_CASE("warnings about the scene are lines on stderr unless they are not wanted") {
+    const TemporaryFolder folder;
+    makeFile(folder / "odd.nff",
+             contentOf(fs::path(SW_SCENES) / "one-triangle.nff") + "\nc 0 0 0 1 0 0 0 1\n");
+    const Run run = swtracer(folder, "odd.nff --size 4x4");
+    CHECK(run.code == 0);
+    CHECK(startsWith(run.err, "swtracer: odd.nff:"));
+    CHECK(run.err.find(":1: warning: cone has no height") != std::string::npos);
+    CHECK(lines(run.err) == 1);
+    CHECK(swtracer(folder, "odd.nff --size 4x4 --quiet").err.empty());
+}
+
 TEST_CASE("the scene may come before and after any option") {
     const auto option =
         GENERATE(as<std::string>(), "--crop 3,2,20,9", "--seed 3", "--quiet", "--depth 1");
@@ -180,8 +214,8 @@ TEST_CASE("help and version are answers and not errors") {
     CHECK(help.code == 0);
     CHECK(help.err.empty());
     for (const std::string option :
-         {"--output", "--size", "--samples", "--depth", "--threads", "--seed", "--crop", "--gamma",
-          "--quiet", "--stats", "--version", "scene"}) {
+         {"--output", "--size", "--samples", "--corners", "--depth", "--threads", "--seed",
+          "--crop", "--gamma", "--quiet", "--stats", "--version", "scene"}) {
         CAPTURE(option);
         CHECK(help.out.find(option) != std::string::npos);
     }

@@ -1,0 +1,161 @@
+// Rays whose weight is 0 are not traced, and shapes that a ray cannot hit are not tested. None of
+// that may change the picture: here it is compared, bit for bit, with one that leaves out nothing.
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "lab.h"
+#include "support.h"
+#include "swNff.h"
+#include "swRayCount.h"
+#include "testScenes.h"
+
+using namespace sw;
+using namespace test;
+
+namespace {
+
+// Asks every primitive, follows every ray, and multiplies with zeros.
+struct PlainRenderer {
+    std::vector<std::shared_ptr<Primitive>> primitives;
+    std::vector<Light> lights;
+    std::uint64_t lit = 0, unlit = 0, secondary = 0;  // what it asked for
+
+    bool intersect(Ray ray, Intersection& nearest) const {
+        bool found = false;
+        for (const auto& primitive : primitives) {
+            Intersection hit;
+            if (!primitive->intersect(ray, hit)) continue;
+            nearest = hit;
+            ray.maxT = hit.hitT;
+            found = true;
+        }
+        return found;
+    }
+
+    Color trace(const Ray& ray, int depth) {
+        Intersection hit, blocker;
+        if (!intersect(ray, hit)) return {};
+        const float r = hit.material.reflectivity, t = hit.material.transparency;
+        Color color;
+        for (const Light& light : lights) {
+            const float cosine = hit.normal * (light.position - hit.position).normalize();
+            const bool visible = !intersect(hit.getShadowRay(light.position), blocker);
+            ++(cosine > 0 ? lit : unlit);
+            color += (visible ? std::max(0.0f, 1 - r - t) * std::max(0.0f, cosine) : 0) *
+                     hit.material.color.times(light.color);
+        }
+        if (depth == 0) return color;
+        secondary += 2;
+        color += r * trace(hit.getReflectedRay(), depth - 1);
+        return color + t * trace(hit.getRefractedRay(), depth - 1);
+    }
+};
+
+Material anyMaterial(Random& random) {
+    const Color color = random.whole(0, 3) == 0
+                            ? Color(0, 0, 0)
+                            : Color(random.real(0, 1), random.real(0, 1), random.real(0, 1));
+    const Material all[] = {Material(color), Material(color, 0.25f), Material(color, 1),
+                            Material(color, 0.25f, 0.75f, 1.5f), Material(color, 0, 0.5f, 1.3f)};
+    return all[random.whole(0, 4)];
+}
+
+Vec3 onGrid(const Vec3& v) {
+    return {std::round(v[0] * 8) / 8, std::round(v[1] * 8) / 8, std::round(v[2] * 8) / 8};
+}
+
+// The same primitives and lights for both.
+void fill(Random& random, int count, Scene& scene, PlainRenderer& plain) {
+    const auto push = [&](const auto& shape) {
+        scene.push(shape);
+        plain.primitives.push_back(std::make_shared<std::decay_t<decltype(shape)>>(shape));
+    };
+    for (int i = 0; i < count; ++i) {
+        // Exact sums, so that two triangles make a parallelogram.
+        const Vec3 c = onGrid(random.point(10));
+        const Vec3 a = onGrid(random.direction() * 3), b = onGrid(random.direction() * 3);
+        const Vec3 v[] = {c, c + a, c + b}, opposite[] = {c + a + b, c + b, c + a};
+        const int kind = random.whole(0, 3);
+        const Material material = anyMaterial(random);
+        if (kind == 0) push(Sphere(c, random.real(0.5, 2), material));
+        if (kind == 1) push(Cone(c, 1, c + a, random.real(0, 2), material));
+        if (kind >= 2) push(Triangle(v, material));
+        if (kind == 3) push(Triangle(opposite, material));
+    }
+    for (int i = random.whole(0, 3); i > 0; --i) {
+        plain.lights.emplace_back(random.point(20), Color(1, random.real(0, 1), 0));
+        scene.push(plain.lights.back());
+    }
+}
+
+}  // namespace
+
+TEST_CASE("what is left out changes no bit of the picture") {
+    Random random(GENERATE(range(0u, 30u)));
+    Scene scene;
+    PlainRenderer plain;
+    fill(random, random.whole(1, 120), scene, plain);
+    for (int i = 0; i < 60; ++i) {
+        const Ray ray(random.direction() * 25, random.direction());
+        const Ray inwards(ray.orig, (random.point(10) - ray.orig).normalize());
+        const Color expected = plain.trace(inwards, 3), found = traceRay(inwards, scene, 3);
+        CAPTURE(i, plain.primitives.size(), expected, found);
+        CHECK(std::memcmp(&expected, &found, sizeof found) == 0);
+    }
+}
+
+TEST_CASE("what is traced and what is left out add up to what a plain renderer traces") {
+    Random random(GENERATE(range(0u, 20u)));
+    Scene scene;
+    PlainRenderer plain;
+    fill(random, random.whole(1, 60), scene, plain);
+    for (int i = 0; i < 40; ++i) {
+        const Vec3 origin = random.direction() * 25;
+        const Ray ray(origin, (random.point(10) - origin).normalize());
+        // One level only: below a ray that is left out, the plain renderer traces more.
+        plain.lit = plain.unlit = plain.secondary = 0;
+        plain.trace(ray, 0);
+        takeRayCount();
+        traceRay(ray, scene, 0);
+        const RayCount flat = takeRayCount();
+        CHECK(flat[RayKind::shadow] + flat[LeftOut::shadowZeroWeight] == plain.lit);
+        CHECK(flat[LeftOut::shadowFacingAway] == plain.unlit);
+        CHECK(flat[LeftOut::secondaryZeroWeight] == 0);
+        Intersection hit;
+        const bool found = plain.intersect(ray, hit);
+        takeRayCount();
+        traceRay(ray, scene, 1);
+        const RayCount deep = takeRayCount();
+        CHECK(deep[RayKind::reflected] + deep[RayKind::refracted] +
+                  deep[LeftOut::secondaryZeroWeight] ==
+              (found ? 2u : 0u));
+    }
+}
+
+TEST_CASE("a scene tells what it consists of, and when it needed a tree") {
+    Scene scene;
+    CHECK(scene.parts().spheres == 0);
+    CHECK_FALSE(scene.parts().tree);
+    for (int i = 0; i < 20; ++i) {
+        scene.push(tile(static_cast<float>(i), number(i)));
+        scene.push(Sphere(Vec3(0, 0, 0), 1, number(i)));
+    }
+    scene.push(Cone());
+    scene.push(Patch());
+    scene.push(std::make_shared<Plane>(0.f, number(1)));
+    const SceneParts few = scene.parts();
+    CHECK(few.triangles == 20);
+    CHECK(few.spheres == 20);
+    CHECK(few.cones + few.patches + few.others == 3);
+    CHECK_FALSE(few.tree);
+    for (int i = 0; i < 1000; ++i) scene.push(tile(static_cast<float>(i), number(i)));
+    CHECK(scene.parts().triangles == 1020);
+    CHECK(scene.parts().tree);
+    CHECK(hitBy(scene, Ray(Vec3(0, 0, 2000), Vec3(0, 0, -1))) == 999);
+    scene.push(tile(1500, number(7)));
+    CHECK(scene.parts().triangles == 1021);
+    CHECK(hitBy(scene, Ray(Vec3(0, 0, 2000), Vec3(0, 0, -1))) == 7);
+}
