@@ -27,6 +27,7 @@ void run(const bench::Setup& setup) {
     bench::Lines lines;
     bench::compareLab(setup, lines);
     bench::measureSteps(setup, lines);
+    bench::measureLoading(setup, lines);
     bench::compareModels(setup, lines);
     bench::measureGrowth(setup, lines);
 

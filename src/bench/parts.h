@@ -31,4 +31,7 @@ void measureGrowth(const Setup& setup, Lines& lines);
 /// What loading, building, tracing and writing take of a run; time and size of the PNG.
 void measureSteps(const Setup& setup, Lines& lines);
 
+/// How fast the text of a large scene is read, by one thread.
+void measureLoading(const Setup& setup, Lines& lines);
+
 }  // namespace bench
