@@ -23,6 +23,12 @@ hasLibcxx() {
     hasCommand clang++ &&
         echo 'int main() {}' | clang++ -stdlib=libc++ -x c++ - -lc++abi -o /dev/null 2>/dev/null
 }
+# What -fsanitize=fuzzer links.
+hasFuzzer() {
+    hasCommand clang++ &&
+        echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, decltype(sizeof 0)) { return 0; }' |
+        clang++ -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
+}
 # CMake's presets file needs 3.25.
 hasCmake() {
     hasCommand cmake && cmake --version |
@@ -42,6 +48,7 @@ isThere() {
         fast_float) hasHeader fast_float/fast_float.h ;;
         clang) hasCommand clang++ ;;
         libc++) hasLibcxx ;;
+        fuzzer) hasFuzzer ;;
         clang-format) hasCommand clang-format ;;
         benchmark) hasHeader benchmark/benchmark.h ;;
         embree) hasHeader embree3/rtcore.h || hasHeader embree4/rtcore.h ;;
@@ -72,6 +79,8 @@ packages() {
         libc++:apt) echo libc++-dev libc++abi-dev ;;
         libc++:dnf) echo libcxx-devel libcxxabi-devel ;;
         libc++:pacman) echo libc++ ;;
+        fuzzer:apt) echo libclang-rt-dev ;;    fuzzer:dnf) echo compiler-rt ;;
+        fuzzer:pacman) echo compiler-rt ;;     fuzzer:brew) ;;
         clang-format:dnf) echo clang-tools-extra ;;
         clang-format:pacman) echo clang ;;     clang-format:*) echo clang-format ;;
         benchmark:apt) echo libbenchmark-dev ;;
@@ -108,7 +117,7 @@ done
 tools="compiler cmake ninja"
 libraries="glm stb catch2 cli11 fast_float"
 extras=
-[ $developer = no ] || extras="clang libc++ clang-format benchmark embree gnuplot"
+[ $developer = no ] || extras="clang libc++ fuzzer clang-format benchmark embree gnuplot"
 
 wanted=
 for item in $tools $libraries $extras; do
