@@ -1,39 +1,14 @@
-#include <algorithm>
-
-#include "files.h"
-#include "support.h"
-#include "swNff.h"
+#include "png.h"
+#include "shippedScenes.h"
 
 using namespace sw;
 using namespace test;
 
-namespace {
-
-const fs::path folder = SW_SCENES;
-
-// What the ray from `from` towards `to` hits first.
-Intersection seen(const Scene& scene, const Vec3& from, const Vec3& to) {
-    Intersection hit;
-    REQUIRE(scene.intersect(Ray(from, to - from), hit));
-    return hit;
-}
-
-void checkMaterial(const Material& m, const Color& color, float reflectivity, float transparency,
-                   float index) {
-    CHECK(distance(m.color, color) <= 2 * u);
-    CHECK(m.reflectivity == reflectivity);
-    CHECK(m.transparency == transparency);
-    CHECK(m.refractiveIndex == index);
-}
-
-}  // namespace
-
 TEST_CASE("every shipped scene loads and shows something lit") {
-    int count = 0;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        if (entry.path().extension() != ".nff") continue;
-        CAPTURE(entry.path().string());
-        const NffScene file = loadNff(entry.path());
+    CHECK(shippedScenes().size() >= 11);
+    for (const fs::path& path : shippedScenes()) {
+        CAPTURE(path.string());
+        const NffScene file = loadNff(path);
         CHECK(file.scene.lights().size() >= 1);
         int hits = 0;
         for (int y = 0; y < file.height; y += 8)
@@ -43,23 +18,35 @@ TEST_CASE("every shipped scene loads and shows something lit") {
                 hits += file.scene.intersect(file.camera.getRay(at(x), at(y)), hit);
             }
         CHECK(hits > file.width * file.height / 64 / 10);
-        ++count;
     }
-    CHECK(count >= 4);
 }
 
 TEST_CASE("every shipped scene says what to see and what to try") {
-    for (const std::string name : {"cornell", "spheres", "one-triangle", "mirrors"}) {
-        const std::string text = contentOf(folder / (name + ".nff"));
-        CAPTURE(name);
+    for (const fs::path& path : shippedScenes()) {
+        const std::string text = contentOf(path);
+        CAPTURE(path.string());
         CHECK(text.substr(0, 2) == "# ");
         CHECK(text.find("\n# You should see: ") != std::string::npos);
         CHECK(text.find("\n# Try: ") != std::string::npos);
     }
 }
 
+TEST_CASE("every shipped scene has a small picture, which the README shows") {
+    const std::string readme = contentOf(shippedFolder / ".." / "README.md");
+    for (fs::path path : shippedScenes()) {
+        CAPTURE(path.string());
+        const std::string name = "scenes/" + path.stem().string();
+        CHECK(readme.find("(" + name + ".nff)") != std::string::npos);
+        CHECK(readme.find("(" + name + ".png)") != std::string::npos);
+        const std::string png = contentOf(path.replace_extension(".png"));
+        CHECK(png.size() < 60000);
+        const PngStructure picture(png);
+        CHECK((picture.width == 200 && picture.height == 200));
+    }
+}
+
 TEST_CASE("the lab scene has its camera and its light") {
-    const NffScene file = loadNff(folder / "cornell.nff");
+    const NffScene file = loadNff(shippedFolder / "cornell.nff");
     CHECK((file.width == 512 && file.height == 512));
     const Ray center = file.camera.getRay(256, 256);
     CHECK(distance(center.orig, Vec3(0, 10, 30)) == 0);
@@ -73,7 +60,7 @@ TEST_CASE("the lab scene has its camera and its light") {
 }
 
 TEST_CASE("the lab scene is a room with an open front") {
-    const Scene scene = loadNff(folder / "cornell.nff").scene;
+    const Scene scene = loadNff(shippedFolder / "cornell.nff").scene;
     const auto [wall, normal, color] =
         GENERATE(table<Vec3, Vec3, Color>({{{3, 0, 40}, {0, 1, 0}, {0.9f, 0.9f, 0.9f}},
                                            {{-3, 0, 40}, {0, 1, 0}, {0.9f, 0.9f, 0.9f}},
@@ -109,8 +96,8 @@ TEST_CASE("the lab scene has its seven spheres") {
                         {{-9, 10, 0}, {}, 0.2f, 0.8f, 1.3f}};
     for (const Row& row : rows) {
         CAPTURE(row.center);
-        const Intersection hit =
-            seen(loadNff(folder / "cornell.nff").scene, row.center + Vec3(0, 0, 5), row.center);
+        const Intersection hit = seen(loadNff(shippedFolder / "cornell.nff").scene,
+                                      row.center + Vec3(0, 0, 5), row.center);
         CHECK(distance(hit.position, row.center + Vec3(0, 0, 3)) <= 20 * u);
         CHECK(distance(hit.normal, Vec3(0, 0, 1)) <= u);
         // Glass has no diffuse part, so its colour does not matter.
@@ -121,7 +108,7 @@ TEST_CASE("the lab scene has its seven spheres") {
 }
 
 TEST_CASE("the sphere grid has eight spheres over a huge one") {
-    const Scene scene = loadNff(folder / "spheres.nff").scene;
+    const Scene scene = loadNff(shippedFolder / "spheres.nff").scene;
     const Material blue = seen(scene, Vec3(-6, -6, -20), Vec3(-6, -6, -6)).material;
     checkMaterial(blue, Color(0, 0.2f, 0.9f), 0, 0.7f, 1.01f);
     for (const float x : {-6.0f, 6.0f})
