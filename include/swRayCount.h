@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "swRay.h"
 
@@ -36,13 +38,23 @@ struct RayCount {
     }
 };
 
-/// Notes a ray in this thread's count. Scene::intersect does so for every ray.
-void countRay(RayKind kind, bool hit);
+/// This thread's count: a shared one would make the threads wait for each other.
+inline thread_local constinit RayCount rayCount;
 
-/// Notes rays that were not cast, for the statistics' sake.
-void leaveOut(LeftOut why, int rays = 1);
+/// Notes a ray. Scene::intersect does so for every ray.
+inline void countRay(RayKind kind, bool hit) {
+    ++rayCount.rays[static_cast<std::size_t>(kind)];
+    if (hit && kind == RayKind::primary) ++rayCount.primaryHits;
+}
+
+/// Notes rays that were not cast.
+inline void leaveOut(LeftOut why, int rays = 1) {
+    rayCount.leftOut[static_cast<std::size_t>(why)] += static_cast<std::uint64_t>(rays);
+}
 
 /// Returns this thread's count and starts it anew.
-RayCount takeRayCount();
+inline RayCount takeRayCount() {
+    return std::exchange(rayCount, RayCount());
+}
 
 }  // namespace sw

@@ -1,5 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "swNumerics.h"
 #include "swRay.h"
 
 namespace sw {
@@ -10,10 +16,22 @@ namespace sw {
 struct FilterRay {
     Vec3 orig, dir;
     float dirSquared;  ///< |dir|^2
-    float minT, maxT;  ///< in units of dir
     float scale;       ///< what the true direction was divided by
+    float minT, maxT;  ///< in units of dir
 
-    explicit FilterRay(const Ray& ray);
+    explicit FilterRay(const Ray& ray) : orig(ray.orig), dir(ray.dir) {
+        // The power of two comes from the exponent's bits: frexp and ldexp take too long here.
+        constexpr std::uint32_t one = 1u << 23;  // in the exponent of a float
+        const auto bits = std::bit_cast<std::uint32_t>(num::maxAbs(dir));
+        const std::uint32_t exponent = std::max(bits & 0x7f800000u, one) + one;
+        const bool tooLong = exponent > 253 * one;  // or not finite
+        scale = tooLong ? NAN : std::bit_cast<float>(exponent);
+        dir *= tooLong ? NAN : std::bit_cast<float>(254 * one - exponent);
+        dirSquared = dir * dir;
+        minT = ray.minT * scale;
+        maxT = ray.maxT * scale;
+    }
+
     /// Shortens the ray to t, in units of the true direction.
     void shorten(float t) { maxT = t * scale; }
 };

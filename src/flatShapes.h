@@ -20,6 +20,10 @@ namespace sw {
 /// Up to eight spheres.
 class SphereBlock {
 public:
+    /// Up to about this many, looking at all shapes takes no longer than finding a way among them.
+    /// Measured on scattered shapes: 48 to 64 spheres, 32 triangles.
+    static constexpr int few = 32;
+
     /// @param all      of which at most eight are taken
     /// @param pending  numbers of spheres; those taken are removed
     SphereBlock(std::span<const Sphere> all, std::vector<std::uint32_t>& pending);
@@ -40,6 +44,8 @@ private:
 /// made of them.
 class TriangleBlock {
 public:
+    static constexpr int few = 32;
+
     TriangleBlock(std::span<const Triangle> all, std::vector<std::uint32_t>& pending);
     unsigned candidates(const FilterRay& ray) const;
     std::uint32_t number(int bit) const { return numbers[static_cast<std::size_t>(bit)]; }
@@ -56,6 +62,8 @@ private:
 /// Up to eight shapes without a filter: every one is a candidate.
 class PlainBlock {
 public:
+    static constexpr int few = 1;  // a tree's boxes are the filter
+
     template <typename Shapes>
     PlainBlock(const Shapes&, std::vector<std::uint32_t>& pending)
         : first(pending.front()),

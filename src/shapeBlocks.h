@@ -27,6 +27,8 @@ struct MaterialTable {
 
 class SphereBlocks {
 public:
+    static constexpr int size = 8;  ///< most shapes of a block
+
     /// @param order   the numbers of the spheres, block after block
     /// @param blocks  how many spheres each block holds
     void assign(std::vector<Sphere> spheres, std::span<const std::uint32_t> order,
@@ -49,6 +51,8 @@ private:
 
 class TriangleBlocks {
 public:
+    static constexpr int size = 8;
+
     void assign(std::vector<Triangle> triangles, std::span<const std::uint32_t> order,
                 std::span<const int> blocks);
     unsigned candidates(const FilterRay& ray, std::size_t first, int count) const;
@@ -60,10 +64,12 @@ private:
     MaterialTable materials;
 };
 
-/// Shapes without a filter: every one is a candidate.
+/// Shapes without a filter but their boxes.
 template <typename Shape>
 class PlainBlocks {
 public:
+    static constexpr int size = 1;
+
     void assign(std::vector<Shape> all, std::span<const std::uint32_t> order,
                 std::span<const int>) {
         shapes.clear();

@@ -27,7 +27,7 @@ public:
     void prepare(int threads) {
         const auto unbounded = std::stable_partition(
             few.begin(), few.end(), [](const Shape& s) { return boundsOf(s).isFinite(); });
-        if (unbounded - few.begin() > fewShapes) plantTree(unbounded, threads);
+        if (unbounded - few.begin() > Block::few) plantTree(unbounded, threads);
         blocks.clear();
         std::vector<std::uint32_t> pending(few.size());
         std::iota(pending.begin(), pending.end(), 0);
@@ -48,10 +48,6 @@ public:
     }
 
 private:
-    // Up to about this many, looking at all shapes takes no longer than finding a way among them.
-    // Measured on scattered shapes: 32 for triangles, 48 to 64 for spheres.
-    static constexpr std::ptrdiff_t fewShapes = 32;
-
     static Bounds boundsOf(const Primitive& shape) { return shape.bounds(); }
     static Bounds boundsOf(const std::shared_ptr<Primitive>& shape) { return shape->bounds(); }
 
@@ -62,7 +58,7 @@ private:
         std::vector<Bounds> boxes;
         boxes.reserve(few.size());
         for (const Shape& shape : few) boxes.push_back(boundsOf(shape));
-        tree = Bvh(boxes, simd::lanes, threads);
+        tree = Bvh(boxes, Leaves::size, threads);
         planted = true;
         boxes = {};
         leaves.assign(std::exchange(few, std::move(rest)), tree.order(), leafSizes());

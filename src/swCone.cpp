@@ -122,6 +122,7 @@ bool Cone::intersect(const Ray& ray, Intersection& hit) const {
     const double start = dot(0.5 * mantle.height * mantle.axis - f, d) / dot(d, d);
     const dvec3 origin = f + start * d;
     Crossings t = crossings(mantle, origin, d);
+    if (std::isnan(t.entry) && std::isnan(t.exit)) return false;  // misses the endless cone
     // Near a tip the radius is much smaller than the cone: from there it is seen more exactly.
     if (mantle.sine != 0) {
         const double entry = crossings(mantle, origin + t.entry * d, d).entry;
