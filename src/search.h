@@ -10,8 +10,11 @@ namespace sw {
 /// Looks for hits along one ray, and shortens it to the nearest one so far.
 class Search {
 public:
+    /// @param asked  must outlive the search, and not be part of the result
     Search(const Ray& asked, Intersection& result, bool anyHit)
-        : filterRay(asked), any(anyHit), end(asked.maxT), rest(asked), nearest(result) {}
+        : filterRay(asked), any(anyHit), whole(asked), rest(&asked), nearest(result) {}
+    Search(const Search&) = delete;
+    Search& operator=(const Search&) = delete;
 
     /// Tests one shape. Returns whether the search is over.
     template <typename Shape>
@@ -26,15 +29,11 @@ public:
     /// The same for a primitive of which nothing is known.
     bool test(const std::shared_ptr<Primitive>& shape) { return testForNearer(*shape); }
 
-    /// Makes the record name the ray as it was asked. That may have been the record's own ray,
-    /// which the hits have overwritten since.
-    void finish() {
-        nearest.ray = rest;
-        nearest.ray.maxT = end;
-    }
+    /// Makes the record name the ray as it was asked.
+    void finish() { nearest.ray = whole; }
 
     /// What is left of the ray.
-    const Ray& ray() const { return rest; }
+    const Ray& ray() const { return *rest; }
 
     FilterRay filterRay;
     bool found = false;
@@ -51,24 +50,29 @@ private:
         return any;
     }
 
-    bool counts(float t) const { return rest.minT < t && t < rest.maxT; }  // false for NaN
+    bool counts(float t) const { return rest->minT < t && t < rest->maxT; }  // false for NaN
 
     void shorten() {
         found = true;
-        rest.maxT = nearest.hitT;
+        if (any) return;
+        // Copied only now: a processor waits for a ray that was written a moment ago.
+        shortened = whole;
+        shortened.maxT = nearest.hitT;
+        rest = &shortened;
         filterRay.shorten(nearest.hitT);
     }
 
     template <typename Shape>
     bool intersect(const Shape& shape, Intersection& record) const {
-        return shape.Shape::intersect(rest, record);  // known type: no virtual call
+        return shape.Shape::intersect(*rest, record);  // known type: no virtual call
     }
     bool intersect(const Primitive& shape, Intersection& record) const {
-        return shape.intersect(rest, record);
+        return shape.intersect(*rest, record);
     }
 
-    const float end;
-    Ray rest;
+    const Ray& whole;
+    const Ray* rest;
+    Ray shortened;
     Intersection& nearest;
 };
 

@@ -115,12 +115,15 @@ SceneParts Scene::parts() const {
 }
 
 bool Scene::intersect(const Ray& ray, Intersection& hit, bool any) const {
+    if (&ray == &hit.ray) {  // which the search would overwrite
+        const Ray copy = ray;
+        return intersect(copy, hit, any);
+    }
     content->prepare();
-    const RayKind kind = ray.kind;  // the ray may be part of the hit record
     Search search(ray, hit, any);
     content->find(search);
     if (search.found) search.finish();
-    countRay(kind, search.found);
+    countRay(ray.kind, search.found);
     return search.found;
 }
 
