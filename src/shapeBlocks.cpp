@@ -99,9 +99,10 @@ void TriangleBlocks::assign(std::vector<Triangle> triangles, std::span<const std
 
 Triangle TriangleBlocks::shape(std::size_t first, int count, int i) const {
     const float* row = rows.data() + triangleRows * first + i;
-    Vec3 v[3];
-    for (int k = 0; k < 9; ++k) v[k / 3].m[k % 3] = row[k * count];
-    return Triangle(v, materials.of(first + static_cast<std::size_t>(i)));
+    Triangle triangle;  // filled in its place: copies of what was written a moment ago are slow
+    triangle.material = materials.of(first + static_cast<std::size_t>(i));
+    for (int k = 0; k < 9; ++k) triangle.vertices[k / 3].m[k % 3] = row[k * count];
+    return triangle;
 }
 
 void TriangleBlocks::prefetch(std::size_t first, int count) const {
