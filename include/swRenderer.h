@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 
 #include "swImage.h"
 #include "swRayCount.h"
+#include "swSampler.h"
 
 namespace sw {
 
@@ -23,12 +25,19 @@ struct RenderOptions {
     std::uint64_t seed = 1;  ///< of the random numbers that uniform() hands out
     /// Told after each tile how many are done. Called by one thread at a time.
     std::function<void(int done, int total)> progress = nullptr;
+    Sampler sampler = Sampler::jitter;  ///< how radiance takes its samples ...
+    int samples = 0;                    ///< ... and how many per side, for the error estimate
+    Image* errors = nullptr;            ///< takes each pixel's estimated error: as large as the
+                                        ///< image, linear radiance as shown, NaN: no estimate
 };
 
 struct RenderStatistics {
     RayCount rays;
     int threads = 0;     ///< that took part
     double seconds = 0;  ///< wall time
+    /// Of the picture as shown, in linear radiance (see swErrorEstimate.h). NaN unless
+    /// radiance notes all samples, and at least 2 x 2 of them.
+    double estimatedRmse = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Fills a window of a picture.
@@ -43,7 +52,7 @@ RenderStatistics render(Image& image, const Window& window,
 
 /// Like render(), but takes the colours at the corners of pixels: each pixel becomes the mean of
 /// its four corners, each of which is asked for once. A window of w x h pixels has (w + 1) x (h +
-/// 1).
+/// 1). There is no error estimate: all of options.errors becomes NaN.
 /// @param radiance  colour at (x, y), the top left corner of pixel (x, y)
 RenderStatistics renderCorners(Image& image, const Window& window,
                                const std::function<Color(int x, int y)>& radiance,

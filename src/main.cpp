@@ -5,12 +5,14 @@
 
 #include "options.h"
 #include "output.h"
+#include "picture.h"
 #include "swCamera.h"
+#include "swErrorEstimate.h"
 #include "swFile.h"
 #include "swImage.h"
+#include "swMetrics.h"
 #include "swNff.h"
 #include "swRayCount.h"
-#include "swRenderer.h"
 #include "swSampling.h"
 #include "swScene.h"
 
@@ -61,27 +63,10 @@ Color samplePixel(float x, float y, int n, int depth, const Camera& camera, cons
         for (float i = 0; i < cells; ++i) {
             const float dx = (i + uniform()) / cells;
             const float dy = (j + uniform()) / cells;
-            sum += traceRay(camera.getRay(x + dx, y + dy), scene, depth);
+            sum += noteSample(traceRay(camera.getRay(x + dx, y + dy), scene, depth));
         }
     }
     return sum * (1 / (cells * cells));
-}
-
-RenderStatistics renderPicture(Image& image, const Options& options, const Camera& camera,
-                               const Scene& scene) {
-    const auto pixel = [&](int x, int y) {
-        return samplePixel(static_cast<float>(x), static_cast<float>(y), options.samples,
-                           options.depth, camera, scene);
-    };
-    const auto corner = [&](int x, int y) {
-        const Ray ray = camera.getRay(static_cast<float>(x), static_cast<float>(y));
-        return traceRay(ray, scene, options.depth);
-    };
-    const RenderOptions how{.threads = options.threads,
-                            .seed = options.seed,
-                            .progress = makeProgressBar(options.quiet)};
-    return options.corners ? renderCorners(image, *options.crop, corner, how)
-                           : render(image, *options.crop, pixel, how);
 }
 
 // Loads, renders and writes what the command line asks for.
@@ -93,23 +78,31 @@ void run(Options options) {
     settleSize(options, file.width, file.height);
     requireWritable(options.output);
     if (!options.stats.empty()) requireWritable(options.stats);
+    if (!options.errorImage.empty()) requireWritable(options.errorImage);
     if (!options.quiet) printWarnings(file.warnings);
     seconds.load = watch.lap();
 
     file.camera.setup(options.width, options.height);
     file.scene.prepare();
-    Image image(options.crop->width(), options.crop->height());
     seconds.build = watch.lap();
 
-    const RenderStatistics rendered = renderPicture(image, options, file.camera, file.scene);
+    const auto radiance = [&](float x, float y) {
+        return traceRay(file.camera.getRay(x, y), file.scene, options.depth);
+    };
+    const auto pixel = [&](int x, int y) {
+        return samplePixel(static_cast<float>(x), static_cast<float>(y), options.samples,
+                           options.depth, file.camera, file.scene);
+    };
+    const Picture picture = renderPicture(options, radiance, pixel);
     seconds.trace = watch.lap();
 
-    writePng(image, options.output, options.gamma);
+    writePng(picture.image, options.output, options.gamma);
+    if (!options.errorImage.empty()) writePng(heatMap(picture.errors), options.errorImage);
     seconds.write = watch.lap();
 
     if (!options.stats.empty())
-        writeFile(options.stats, statsJson(options, rendered, seconds, file.scene));
-    if (!options.quiet) std::cout << summary(options, rendered, seconds) << std::endl;
+        writeFile(options.stats, statsJson(options, picture, seconds, file.scene));
+    if (!options.quiet) std::cout << summary(options, picture, seconds) << std::endl;
 }
 
 // Exit codes: 0 done, 1 unexpected, 2 command line, 3 scene, 4 output.

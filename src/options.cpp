@@ -1,8 +1,10 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <initializer_list>
 #include <iostream>
 #include <span>
 
@@ -53,11 +55,28 @@ const CLI::Validator notNegative(
     },
     "");
 
+// There are three ways to sample a picture, and each has options of its own.
+void requireOneWay(const CLI::App& app, const Options& options) {
+    const auto refuse = [&](const std::string& way, std::initializer_list<const char*> others) {
+        for (const std::string other : others)
+            if (app.count(other) > 0)
+                throw UsageError(way + ": expected no " + other +
+                                 " beside it, found both (leave one out)");
+    };
+    if (options.corners) refuse("--corners", {"--samples", "--sampler"});
+    for (const char* way : {"--adaptive", "--target-rmse", "--time-limit"})
+        if (app.count(way) > 0) {
+            refuse(way, {"--samples", "--sampler", "--corners"});
+            if (!options.isAdaptive())
+                throw UsageError(std::string(way) + ": expected a number, found NaN");
+        }
+}
+
 }  // namespace
 
 Options parseOptions(int argc, const char* const* argv) {
     Options options;
-    std::string size, crop;
+    std::string size, crop, sampler = "jitter";
 
     CLI::App app("Renders a scene by Whitted ray tracing.", "swtracer");
     app.set_version_flag("--version", SW_VERSION);
@@ -67,6 +86,19 @@ Options parseOptions(int argc, const char* const* argv) {
     app.add_option("--samples", options.samples, "N for NxN samples per pixel; 1: its centre")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
+    app.add_option("--sampler", sampler, "where they lie: jitter, grid, random or multijitter")
+        ->check(CLI::IsMember(
+            std::vector<std::string>(sw::samplerNames.begin(), sw::samplerNames.end())))
+        ->capture_default_str();
+    const auto positive = CLI::Range(1e-9, 1e9);
+    app.add_option("--adaptive", options.tolerance,
+                   "as many samples as each pixel needs for this estimated error, 0.01 for example")
+        ->check(positive);
+    app.add_option("--target-rmse", options.targetRmse,
+                   "the same, until this is the whole picture's estimated error")
+        ->check(positive);
+    app.add_option("--time-limit", options.timeLimit, "the same, for that many seconds")
+        ->check(positive);
     app.add_flag("--corners", options.corners,
                  "rays at the corners of pixels, each shared by four, instead of samples");
     app.add_option("--depth", options.depth, "how often a ray may be reflected or refracted")
@@ -83,16 +115,23 @@ Options parseOptions(int argc, const char* const* argv) {
         ->check(CLI::Range(0.1, 10.0))
         ->capture_default_str();
     app.add_flag("--quiet", options.quiet, "print nothing but errors");
-    app.add_option("--stats", options.stats, "JSON file for ray counts and times");
+    app.add_option("--stats", options.stats, "JSON file for ray counts, times and error");
+    app.add_option("--error-image", options.errorImage,
+                   "PNG of the estimated error: black 0.0001, blue 0.001, red 0.01, yellow 0.1, "
+                   "white 1");
 
     try {
         app.parse(argc, argv);
         if (app.count("--size") > 0) readSize(size, options);
         if (app.count("--crop") > 0) options.crop = readCrop(crop);
-        if (options.corners && app.count("--samples") > 0)
-            throw UsageError(
-                "--corners: expected no --samples beside it, found both (leave one out)");
+        requireOneWay(app, options);
         if (options.corners) options.samples = 1;
+        options.sampler = static_cast<sw::Sampler>(
+            std::find(sw::samplerNames.begin(), sw::samplerNames.end(), sampler) -
+            sw::samplerNames.begin());
+        if (!options.errorImage.empty() && options.samples == 1 && !options.isAdaptive())
+            throw UsageError(
+                "--error-image: expected --samples 2 or more, found one sample per pixel");
         if (!(options.gamma > 0)) throw UsageError("--gamma: expected a number, found NaN");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help, --version

@@ -7,21 +7,30 @@
 #include <string>
 
 #include "swRenderer.h"
+#include "swSampler.h"
 
 /// What the command line asks for.
 struct Options {
     std::filesystem::path scene;  ///< the lab's, where none is named
     std::filesystem::path output = "out.png";
-    int width = 0, height = 0;       ///< pixels; 0: the scene's own resolution
-    int samples = 3;                 ///< per side of the grid in every pixel
-    bool corners = false;            ///< shoot rays at the pixels' corners instead; samples is 1
-    int depth = 3;                   ///< of the recursion: 0 traces primary rays alone
-    int threads = 0;                 ///< 0: one per hardware thread
-    std::uint64_t seed = 1;          ///< of the jitter
-    std::optional<sw::Window> crop;  ///< render only this part of the picture
-    float gamma = 2.2f;              ///< of the PNG
-    bool quiet = false;              ///< neither progress nor summary
-    std::filesystem::path stats;     ///< JSON file for statistics; empty: none
+    int width = 0, height = 0;  ///< pixels; 0: the scene's own resolution
+    int samples = 3;            ///< per side of the grid in every pixel
+    sw::Sampler sampler = sw::Sampler::jitter;
+    float tolerance = 0;               ///< adaptive: of each pixel's estimated error; 0: none
+    float targetRmse = 0;              ///< adaptive: of the picture's estimated error; 0: none
+    double timeLimit = 0;              ///< adaptive: in seconds; 0: none
+    bool corners = false;              ///< shoot rays at the pixels' corners instead; samples is 1
+    int depth = 3;                     ///< of the recursion: 0 traces primary rays alone
+    int threads = 0;                   ///< 0: one per hardware thread
+    std::uint64_t seed = 1;            ///< of the jitter
+    std::optional<sw::Window> crop;    ///< render only this part of the picture
+    float gamma = 2.2f;                ///< of the PNG
+    bool quiet = false;                ///< neither progress nor summary
+    std::filesystem::path stats;       ///< JSON file for statistics; empty: none
+    std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none
+
+    /// Whether as many samples are taken in each pixel as its error asks for.
+    bool isAdaptive() const { return tolerance > 0 || targetRmse > 0 || timeLimit > 0; }
 };
 
 /// A command line that makes no sense. The message says what to do instead.

@@ -1,12 +1,15 @@
 #include "output.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iomanip>
 #include <iostream>
 #include <locale>
 #include <sstream>
 #include <utility>
+
+#include "swErrorEstimate.h"
 
 #ifdef _WIN32
 #include <io.h>
@@ -64,6 +67,14 @@ std::string notNeeded(const sw::SceneParts& parts, const sw::RayCount& rays,
     return list;
 }
 
+// JSON has no NaN.
+std::string orNull(double number) {
+    if (std::isnan(number)) return "null";
+    std::ostringstream text = plainStream();
+    text << std::setprecision(4) << number;
+    return text.str();
+}
+
 constexpr const char* clearLine = "\r\x1b[K";
 
 }  // namespace
@@ -94,21 +105,25 @@ std::function<void(int done, int total)> makeProgressBar(bool quiet) {
     };
 }
 
-std::string summary(const Options& options, const sw::RenderStatistics& rendered,
-                    const StepTimes& times) {
+std::string summary(const Options& options, const Picture& picture, const StepTimes& times) {
+    const sw::RenderStatistics& rendered = picture.statistics;
     const auto rays = static_cast<double>(rendered.rays.total());
     std::ostringstream line = plainStream();
     line << std::filesystem::absolute(options.output).lexically_normal().string() << "  "
          << options.crop->width() << "x" << options.crop->height() << "  "
-         << options.samples * options.samples << " spp  " << rendered.threads
+         << std::round(picture.samplesPerPixel * 100) / 100 << " spp  " << rendered.threads
          << (rendered.threads == 1 ? " thread  " : " threads  ") << std::setprecision(3)
          << times.total() << " s  " << rays * 1e-6 << " Mrays  "
          << rays * 1e-6 / std::max(rendered.seconds, 1e-9) << " Mray/s";
+    if (!std::isnan(rendered.estimatedRmse))
+        line << "  rmse " << std::setprecision(2) << rendered.estimatedRmse << " (est.)";
     return line.str();
 }
 
-std::string statsJson(const Options& options, const sw::RenderStatistics& rendered,
-                      const StepTimes& times, const sw::Scene& scene) {
+std::string statsJson(const Options& options, const Picture& picture, const StepTimes& times,
+                      const sw::Scene& scene) {
+    const sw::RenderStatistics& rendered = picture.statistics;
+    const double steps = sw::estimatedSteps(picture.image, picture.errors, options.gamma);
     const sw::RayCount& rays = rendered.rays;
     const sw::SceneParts parts = scene.parts();
     std::ostringstream json = plainStream();
@@ -116,10 +131,15 @@ std::string statsJson(const Options& options, const sw::RenderStatistics& render
          << "  \"width\": " << options.crop->width() << ",\n"
          << "  \"height\": " << options.crop->height() << ",\n"
          << "  \"samples\": " << options.samples << ",\n"
+         << "  \"samples_per_pixel\": " << picture.samplesPerPixel << ",\n"
          << "  \"corners\": " << (options.corners ? "true" : "false") << ",\n"
          << "  \"depth\": " << options.depth << ",\n"
          << "  \"threads\": " << rendered.threads << ",\n"
          << "  \"seed\": " << options.seed << ",\n"
+         << "  \"sampler\": \"" << sw::samplerNames[static_cast<std::size_t>(options.sampler)]
+         << "\",\n"
+         << "  \"estimated_rmse\": " << orNull(rendered.estimatedRmse) << ",\n"
+         << "  \"estimated_rmse_8bit\": " << orNull(steps) << ",\n"
          << "  \"rays\": {\"primary\": " << rays[RayKind::primary]
          << ", \"primary_hits\": " << rays.primaryHits << ", \"shadow\": " << rays[RayKind::shadow]
          << ", \"reflected\": " << rays[RayKind::reflected]

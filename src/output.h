@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "options.h"
-#include "swRenderer.h"
+#include "picture.h"
 #include "swScene.h"
 
 /// Wall time of the steps of a run, in seconds.
@@ -32,9 +32,8 @@ void printWarnings(const std::vector<std::string>& warnings);
 std::function<void(int done, int total)> makeProgressBar(bool quiet);
 
 /// One line: picture, size, samples, threads, wall time, rays.
-std::string summary(const Options& options, const sw::RenderStatistics& rendered,
-                    const StepTimes& times);
+std::string summary(const Options& options, const Picture& picture, const StepTimes& times);
 
 /// The same and more as JSON: what was traced, what was left out, and what the scene did not need.
-std::string statsJson(const Options& options, const sw::RenderStatistics& rendered,
-                      const StepTimes& times, const sw::Scene& scene);
+std::string statsJson(const Options& options, const Picture& picture, const StepTimes& times,
+                      const sw::Scene& scene);

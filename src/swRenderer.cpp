@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <mutex>
+#include <numeric>
 #include <system_error>
 #include <thread>
 #include <vector>
 
+#include "swErrorEstimate.h"
 #include "swSampling.h"
 
 namespace sw {
@@ -24,7 +27,8 @@ public:
           options(wanted),
           tileSize(std::max(1, options.tileSize)),
           columns((window.width() + tileSize - 1) / tileSize),
-          tiles(columns * ((window.height() + tileSize - 1) / tileSize)) {}
+          tiles(columns * ((window.height() + tileSize - 1) / tileSize)),
+          squaredErrors(static_cast<std::size_t>(tiles)) {}
 
     RenderStatistics run() {
         std::vector<std::thread> helpers;
@@ -36,7 +40,7 @@ public:
         work();
         for (std::thread& helper : helpers) helper.join();
         if (failure) std::rethrow_exception(failure);
-        return {rays, static_cast<int>(helpers.size()) + 1, 0};
+        return {rays, static_cast<int>(helpers.size()) + 1, 0, estimatedRmse()};
     }
 
 private:
@@ -49,9 +53,10 @@ private:
     // What one thread does: tiles, until none is left.
     void work() {
         takeRayCount();  // forgets what the calling thread traced before
+        PixelSamples samples(options.sampler, options.samples);
         try {
             for (int tile = next++; tile < tiles; tile = next++) {
-                renderTile(tile);
+                renderTile(tile, samples);
                 finishTile();
             }
         } catch (...) {
@@ -63,15 +68,25 @@ private:
         rays += takeRayCount();
     }
 
-    void renderTile(int tile) {
+    void renderTile(int tile, PixelSamples& samples) {
         const int left = window.x0 + tile % columns * tileSize;
         const int top = window.y0 + tile / columns * tileSize;
         for (int y = top; y < std::min(top + tileSize, window.y1); ++y) {
             for (int x = left; x < std::min(left + tileSize, window.x1); ++x) {
                 seedPixel(options.seed, x, y);
-                image.at(x - window.x0, y - window.y0) = radiance(x, y);
+                Color& pixel = image.at(x - window.x0, y - window.y0);
+                pixel = radiance(x, y);
+                const Color error = samples.takeError(pixel);
+                if (options.errors) options.errors->at(x - window.x0, y - window.y0) = error;
+                squaredErrors[static_cast<std::size_t>(tile)] += error * error;
             }
         }
+    }
+
+    // The tiles' sums are added in the same order for any number of threads.
+    double estimatedRmse() const {
+        const double sum = std::accumulate(squaredErrors.begin(), squaredErrors.end(), 0.0);
+        return std::sqrt(sum / (3.0 * window.width() * window.height()));
     }
 
     void finishTile() {
@@ -87,6 +102,7 @@ private:
     const int tileSize;
     const int columns;
     const int tiles;
+    std::vector<double> squaredErrors;  // per tile
 
     std::atomic<int> next{0};
     std::mutex mutex;  // guards what follows
@@ -112,11 +128,16 @@ RenderStatistics renderCorners(Image& image, const Window& window,
                                const RenderOptions& options) {
     const Window with{window.x0, window.y0, window.x1 + 1, window.y1 + 1};
     Image corners(with.width(), with.height());
-    const RenderStatistics statistics = render(corners, with, radiance, options);
-    for (int y = 0; y < window.height(); ++y)
-        for (int x = 0; x < window.width(); ++x)
+    RenderOptions noErrors = options;
+    noErrors.errors = nullptr;
+    const RenderStatistics statistics = render(corners, with, radiance, noErrors);
+    for (int y = 0; y < window.height(); ++y) {
+        for (int x = 0; x < window.width(); ++x) {
             image.at(x, y) = 0.25f * (corners.at(x, y) + corners.at(x + 1, y) +
                                       corners.at(x, y + 1) + corners.at(x + 1, y + 1));
+            if (options.errors) options.errors->at(x, y) = Color(NAN, NAN, NAN);
+        }
+    }
     return statistics;
 }
 

@@ -63,6 +63,26 @@ TEST_CASE("2 for a crop that lies outside the picture or is no window") {
         checkFailure(2, tiny + "--crop=" + crop, "--crop: expected a window within 4x4");
 }
 
+TEST_CASE("2 for two ways of sampling at once") {
+    for (const std::string way : {"--adaptive", "--target-rmse", "--time-limit"})
+        for (const std::string other : {"--samples=2", "--sampler=grid", "--corners"})
+            checkFailure(2, way + "=0.5 " + other,
+                         way + ": expected no " + other.substr(0, other.find('=')) + " beside it");
+    checkFailure(2, "--corners --sampler grid", "--corners: expected no --sampler beside it");
+}
+
+TEST_CASE("2 for errors and times that are no positive numbers") {
+    for (const std::string way : {"--adaptive", "--target-rmse", "--time-limit"})
+        for (const std::string value : {"0", "-1", "x", "nan", "inf"})
+            checkFailure(2, way + "=" + value, way);
+}
+
+TEST_CASE("2 for an error image without an error estimate") {
+    checkFailure(2, "--samples 1 --error-image e.png", "--error-image: expected --samples 2");
+    checkFailure(2, "--corners --error-image e.png", "--error-image: expected --samples 2");
+    checkFailure(2, "--sampler sobol", "--sampler");
+}
+
 TEST_CASE("2 for samples where rays go through corners") {
     checkFailure(2, "--corners --samples 3", "--corners: expected no --samples beside it");
     checkFailure(2, "--samples 1 --corners", "--corners: expected no --samples beside it");

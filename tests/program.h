@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "catch.h"
 #include "files.h"
 #include "png.h"
 
@@ -43,6 +44,30 @@ inline Run swtracer(const TemporaryFolder& folder, const std::string& arguments,
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 #endif
     return {code, contentOf(printed / "out"), contentOf(printed / "err")};
+}
+
+/// The picture that these arguments make.
+inline std::string picture(const std::string& arguments) {
+    const TemporaryFolder folder;
+    const Run run = swtracer(folder, arguments + " -o a.png");
+    CAPTURE(arguments, run.err);
+    CHECK(run.code == 0);
+    return contentOf(folder / "a.png");
+}
+
+/// The number behind "key": in JSON.
+inline double numberOf(const std::string& json, const std::string& key) {
+    const std::size_t at = json.find("\"" + key + "\": ");
+    CAPTURE(json, key);
+    REQUIRE(at != std::string::npos);
+    return std::strtod(json.c_str() + at + key.size() + 4, nullptr);
+}
+
+/// The statistics, as JSON.
+inline std::string statsOf(const std::string& arguments) {
+    const TemporaryFolder folder;
+    CHECK(swtracer(folder, arguments + " --stats s.json").code == 0);
+    return contentOf(folder / "s.json");
 }
 
 }  // namespace test
