@@ -15,9 +15,10 @@ inline sw::Material anyGlass(Random& random) {
     return sw::Material({1, 1, 1}, 0.5f, 0.5f, index);
 }
 
-/// Whether the refracted ray of a hit is a reflected one.
+/// Whether the refracted ray of a hit is a reflected one: it starts in the same place. Directions
+/// tell less, as along a surface both are the same float by float.
 inline bool isTotal(const sw::Ray& refracted, const sw::Intersection& hit) {
-    return distance(refracted.dir, hit.getReflectedRay().dir) == 0;
+    return distance(refracted.orig, hit.getReflectedRay().orig) == 0;
 }
 
 /// Spawned rays start off the surface, but near: by twice the error that surfaceError states.
