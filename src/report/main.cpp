@@ -2,10 +2,12 @@
 #include <exception>
 #include <iostream>
 
+#include "convergence.h"
 #include "stability.h"
 #include "swFile.h"
+#include "swNff.h"
 
-// Exit codes: 0 done, 1 unexpected, 2 command line, 4 output.
+// Exit codes: 0 done, 1 unexpected, 2 command line, 3 scene, 4 output.
 int main(int argc, char** argv) {
     const auto fail = [](int code, const std::exception& error) {
         std::cerr << "swtracer-report: " << error.what() << std::endl;
@@ -15,6 +17,7 @@ int main(int argc, char** argv) {
         CLI::App app("Measures error against run time.", "swtracer-report");
         app.require_subcommand(1);
         report::addStability(app);
+        report::addConvergence(app);
         try {
             app.parse(argc, argv);  // runs the subcommand
         } catch (const CLI::ParseError& error) {
@@ -22,6 +25,8 @@ int main(int argc, char** argv) {
             return fail(2, error);
         }
         return 0;
+    } catch (const sw::NffError& error) {
+        return fail(3, error);
     } catch (const sw::FileError& error) {
         return fail(4, error);
     } catch (const std::exception& error) {

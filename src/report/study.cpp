@@ -1,0 +1,188 @@
+#include "study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "bench/measure.h"
+#include "swAdaptive.h"
+#include "swErrorEstimate.h"
+#include "swNff.h"
+#include "swRenderer.h"
+#include "swSampler.h"
+#include "table.h"
+
+// Of main.cpp.
+sw::Color traceRay(const sw::Ray& ray, const sw::Scene& scene, int depth);
+
+namespace report {
+namespace {
+
+constexpr int depth = 3;
+constexpr std::uint64_t referenceSeed = 1000;  // the repetitions have 1, 2, ...
+
+struct Drawn {
+    sw::Image image;
+    sw::RenderStatistics statistics;
+    double samples;
+    double estimatedRmse;
+};
+
+// A scene, ready to be drawn at a size.
+class Subject {
+public:
+    using RadianceAt = std::function<sw::Color(float x, float y)>;
+
+    Subject(const std::filesystem::path& path, int size) : file(sw::loadNff(path)) {
+        const double scale = static_cast<double>(size) / std::max(file.width, file.height);
+        all.x1 = std::max(1, static_cast<int>(std::lround(file.width * scale)));
+        all.y1 = std::max(1, static_cast<int>(std::lround(file.height * scale)));
+        file.camera.setup(all.x1, all.y1);
+        file.scene.prepare();
+        radiance = [this](float x, float y) {
+            return traceRay(file.camera.getRay(x, y), file.scene, depth);
+        };
+    }
+    Subject(const Subject&) = delete;
+    Subject& operator=(const Subject&) = delete;
+
+    Drawn uniformly(sw::Sampler sampler, int n, std::uint64_t seed) const {
+        const auto pixel = [&](int x, int y) {
+            return sw::samplePixelWith(sampler, static_cast<float>(x), static_cast<float>(y), n,
+                                       radiance);
+        };
+        return draw(pixel, sampler, n, seed);
+    }
+
+    // With sums in double precision.
+    Drawn reference(int n) const {
+        const auto pixel = [&](int x, int y) {
+            double sum[3] = {};
+            for (const auto& point : sw::samplePoints(sw::Sampler::multiJitter, n)) {
+                const sw::Color color = sw::noteSample(
+                    radiance(static_cast<float>(x) + point.x, static_cast<float>(y) + point.y));
+                for (int i = 0; i < 3; ++i) sum[i] += static_cast<double>(color[i]);
+            }
+            const auto mean = [&](int i) { return static_cast<float>(sum[i] / n / n); };
+            return sw::Color(mean(0), mean(1), mean(2));
+        };
+        return draw(pixel, sw::Sampler::multiJitter, n, referenceSeed);
+    }
+
+    Drawn adaptively(float tolerance, std::uint64_t seed) const {
+        sw::AdaptiveOptions options;
+        options.tolerance = tolerance;
+        options.render.seed = seed;
+        sw::AdaptiveResult result = sw::renderAdaptive(all, all.x1, all.y1, radiance, options);
+        const double samples = static_cast<double>(result.samples) / all.x1 / all.y1;
+        return {std::move(result.image), result.statistics, samples, result.estimatedRmse};
+    }
+
+private:
+    Drawn draw(const std::function<sw::Color(int x, int y)>& pixel, sw::Sampler sampler, int n,
+               std::uint64_t seed) const {
+        sw::Image image(all.x1, all.y1);
+        const sw::RenderStatistics statistics =
+            sw::render(image, all, pixel, {.seed = seed, .sampler = sampler, .samples = n});
+        return {std::move(image), statistics, static_cast<double>(n * n), statistics.estimatedRmse};
+    }
+
+    sw::NffScene file;
+    sw::Window all;
+    RadianceAt radiance;
+};
+
+struct Method {
+    std::string name, setting;
+    bool pictured;  // its errors
+    bool slow;      // and so its time is steady: once will do
+    std::function<Drawn(std::uint64_t seed)> draw;
+};
+
+std::string shortest(float value) {
+    auto text = plainStream();
+    text << value;
+    return text.str();
+}
+
+std::vector<Method> methodsFor(const Subject& subject, const StudyEffort& effort) {
+    std::vector<Method> methods;
+    const int pictured = std::min(3, effort.largestGrid);
+    for (std::size_t k = 0; k < sw::samplerNames.size(); ++k) {
+        const auto sampler = static_cast<sw::Sampler>(k);
+        for (int n = 1; n <= effort.largestGrid; ++n)
+            methods.push_back({sw::samplerNames[k], std::to_string(n) + "x" + std::to_string(n),
+                               n == pictured, n > 5, [&subject, sampler, n](std::uint64_t seed) {
+                                   return subject.uniformly(sampler, n, seed);
+                               }});
+    }
+    for (std::size_t i = 0; i < effort.tolerances.size(); ++i) {
+        const float tolerance = effort.tolerances[i];
+        methods.push_back({"adaptive", shortest(tolerance), i == effort.tolerances.size() / 2,
+                           false, [&subject, tolerance](std::uint64_t seed) {
+                               return subject.adaptively(tolerance, seed);
+                           }});
+    }
+    return methods;
+}
+
+// The repetitions of one method: its errors and its times.
+class Repetitions {
+public:
+    void add(const Drawn& drawn, const sw::Image& reference) {
+        const sw::Metrics metrics = sw::compare(drawn.image, reference);
+        squares += metrics.rmse * metrics.rmse;
+        estimatedSquares += drawn.estimatedRmse * drawn.estimatedRmse;
+        visible += metrics.visible;
+        if (seconds.empty() || metrics.largest > result.error.largest) result.error = metrics;
+        result.rays = static_cast<double>(drawn.statistics.rays.total());
+        result.samples = drawn.samples;
+        seconds.push_back(drawn.statistics.seconds);
+    }
+
+    Measurement summary(const Method& method) const {
+        const double n = static_cast<double>(seconds.size());
+        Measurement all = result;
+        all.method = method.name;
+        all.setting = method.setting;
+        all.seconds = bench::median(seconds);
+        all.error.rmse = std::sqrt(squares / n);
+        all.error.psnr = -20 * std::log10(all.error.rmse);
+        all.error.visible = visible / n;
+        all.estimatedRmse = std::sqrt(estimatedSquares / n);
+        return all;
+    }
+
+private:
+    Measurement result;
+    std::vector<double> seconds;
+    double squares = 0, estimatedSquares = 0, visible = 0;
+};
+
+}  // namespace
+
+Study studyScene(const std::filesystem::path& scene, const StudyEffort& effort) {
+    const Subject subject(scene, effort.size);
+    Drawn reference = subject.reference(effort.referenceGrid);
+    const std::vector<Method> methods = methodsFor(subject, effort);
+    Study study{scene.stem().string(), std::move(reference.image), reference.estimatedRmse, {}, {}};
+
+    // The methods take turns: a machine that slows down meanwhile does so for all of them alike.
+    std::vector<Repetitions> repetitions(methods.size());
+    for (int i = 1; i <= effort.repetitions; ++i) {
+        for (std::size_t k = 0; k < methods.size(); ++k) {
+            if (i > 1 && methods[k].slow) continue;
+            const Drawn drawn = methods[k].draw(static_cast<std::uint64_t>(i));
+            repetitions[k].add(drawn, study.reference);
+            if (i == 1 && methods[k].pictured)
+                study.errors.push_back(
+                    {methods[k].name, methods[k].setting,
+                     sw::heatMap(sw::absoluteDifference(drawn.image, study.reference))});
+        }
+    }
+    for (std::size_t k = 0; k < methods.size(); ++k)
+        study.measurements.push_back(repetitions[k].summary(methods[k]));
+    return study;
+}
+
+}  // namespace report
