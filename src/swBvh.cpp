@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "bvhBuild.h"
+#include "bvhOrder.h"
 #include "largePages.h"
 
 namespace sw {
@@ -46,34 +47,6 @@ void setBox(Node& node, int slot, const Float& box) {
         const float low = -b[i], high = b[i + 4];
         node.planes[i][slot] = low < -limit ? -Bounds::infinity : std::min(low, limit);
         node.planes[i + 3][slot] = high > limit ? Bounds::infinity : std::max(high, -limit);
-    }
-}
-
-// How far along the directions of an octant the middle of a child's box lies. Empty boxes, which
-// are never met, come out anywhere.
-float middleAlong(const Node& node, int slot, unsigned octant) {
-    constexpr float limit = 0x1p124f;  // sums stay finite
-    float sum = 0;
-    for (int i = 0; i < 3; ++i) {
-        const float middle = std::clamp(node.planes[i][slot], -limit, limit) +
-                             std::clamp(node.planes[i + 3][slot], -limit, limit);
-        sum += (octant >> i & 1) != 0 ? -middle : middle;
-    }
-    return sum;
-}
-
-// The order of one octant is that of the opposite one from its end.
-void setOrder(Node& node) {
-    for (unsigned octant = 0; octant < 4; ++octant) {
-        std::array<std::pair<float, std::uint32_t>, Bvh::width> children;
-        for (std::uint32_t i = 0; i < Bvh::width; ++i)
-            children[i] = {middleAlong(node, static_cast<int>(i), octant), i};
-        std::sort(children.begin(), children.end());
-        for (int i = 0; i < Bvh::width; ++i) {
-            const std::uint32_t slot = children[static_cast<std::size_t>(i)].second;
-            node.order[octant] |= slot << 3 * (Bvh::width - 1 - i);
-            node.order[7 - octant] |= slot << 3 * i;
-        }
     }
 }
 
@@ -164,7 +137,7 @@ void Builder::fillNode(std::uint32_t index, const Range& range, int depth) {
         else
             node.child[i] = next++;
     }
-    setOrder(node);
+    bvh::setOrder(node);
     nodes[index] = node;
     nodes.resize(next);
     for (int i = 0; i < n; ++i)

@@ -137,6 +137,24 @@ inline void checkTree(const Bvh& bvh, const std::vector<Bounds>& boxes, int leaf
     CHECK(inspection.depth <= Bvh::maxDepth);
 }
 
+/// Counts children that stand twice in the order of an octant, and those nearer than the next one.
+inline void inspectOrder(const Bvh::Node& node, unsigned octant, int& twice, int& outOfOrder) {
+    unsigned seen = 0;
+    double before = HUGE_VAL;
+    for (std::uint32_t order = node.order[octant], i = 0; i < 8; ++i, order >>= 3) {
+        const auto slot = order & 7;
+        twice += (seen >> slot & 1) != 0;
+        seen |= 1u << slot;
+        if (node.planes[0][slot] > node.planes[3][slot]) continue;  // empty
+        double along = 0;                                           // in the octant's directions
+        for (unsigned axis = 0; axis < 3; ++axis)
+            along += ((octant >> axis & 1) != 0 ? -1.0 : 1.0) *
+                     (node.planes[axis][slot] + node.planes[axis + 3][slot]);
+        outOfOrder += along > before + 1e-5;
+        before = along;
+    }
+}
+
 inline Bvh::Cost costOfMiss(const Bvh& bvh, const Ray& ray) {
     return bvh.traverse(ray, [](std::uint32_t, std::uint32_t, float&) { return false; });
 }

@@ -175,24 +175,9 @@ TEST_CASE("for every octant the children stand in order, the nearest last") {
     const auto boxes = randomBoxes(random, Kind::scattered, random.whole(1, 2000), 1);
     const Bvh bvh(boxes, 4);
     int twice = 0, outOfOrder = 0;
-    for (const Bvh::Node& node : bvh.tree()) {
-        for (unsigned octant = 0; octant < 8; ++octant) {
-            unsigned seen = 0;
-            double before = HUGE_VAL;
-            for (std::uint32_t order = node.order[octant], i = 0; i < 8; ++i, order >>= 3) {
-                const auto slot = order & 7;
-                twice += (seen >> slot & 1) != 0;
-                seen |= 1u << slot;
-                if (node.planes[0][slot] > node.planes[3][slot]) continue;  // empty
-                double along = 0;  // in the octant's directions
-                for (unsigned axis = 0; axis < 3; ++axis)
-                    along += ((octant >> axis & 1) != 0 ? -1.0 : 1.0) *
-                             (node.planes[axis][slot] + node.planes[axis + 3][slot]);
-                outOfOrder += along > before + 1e-5;
-                before = along;
-            }
-        }
-    }
+    for (const Bvh::Node& node : bvh.tree())
+        for (unsigned octant = 0; octant < 8; ++octant)
+            inspectOrder(node, octant, twice, outOfOrder);
     CHECK(twice == 0);
     CHECK(outOfOrder == 0);
 }

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "swBvh.h"
+
+namespace sw::bvh {
+
+/// How far along the directions of an octant the middle of a child's box lies. Empty boxes, which
+/// are never met, come out anywhere.
+inline float middleAlong(const Bvh::Node& node, int slot, unsigned octant) {
+    constexpr float limit = 0x1p124f;  // sums stay finite
+    float sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        const float middle = std::clamp(node.planes[i][slot], -limit, limit) +
+                             std::clamp(node.planes[i + 3][slot], -limit, limit);
+        sum += (octant >> i & 1) != 0 ? -middle : middle;
+    }
+    return sum;
+}
+
+/// Fills in the order of a node's children for every octant.
+/// That of one octant is that of the opposite one from its end.
+inline void setOrder(Bvh::Node& node) {
+    for (unsigned octant = 0; octant < 4; ++octant) {
+        std::array<std::pair<float, std::uint32_t>, Bvh::width> children;
+        for (std::uint32_t i = 0; i < Bvh::width; ++i)
+            children[i] = {middleAlong(node, static_cast<int>(i), octant), i};
+        std::sort(children.begin(), children.end());
+        for (int i = 0; i < Bvh::width; ++i) {
+            const std::uint32_t slot = children[static_cast<std::size_t>(i)].second;
+            node.order[octant] |= slot << 3 * (Bvh::width - 1 - i);
+            node.order[7 - octant] |= slot << 3 * i;
+        }
+    }
+}
+
+}  // namespace sw::bvh
