@@ -6,7 +6,7 @@
 namespace sw {
 
 /// Asks the system for large pages behind memory that is not used yet. Rays jump about in a large
-/// scene, and with the usual pages of 4 KiB the processor looks up addresses half of the time.
+/// scene, and of the usual pages of 4 KiB a processor remembers only some thousands.
 /// Does nothing where the system knows no such request, or the memory is small.
 void useLargePages(void* memory, std::size_t bytes);
 

@@ -55,7 +55,7 @@ private:
     void shorten() {
         found = true;
         if (any) return;
-        // Copied only now: a processor waits for a ray that was written a moment ago.
+        // Copied only now, as rays that hit nothing, or end at their first hit, never need it.
         shortened = whole;
         shortened.maxT = nearest.hitT;
         rest = &shortened;
