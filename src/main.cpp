@@ -1,20 +1,8 @@
-#include <algorithm>
-#include <exception>
-#include <iostream>
-#include <new>
-
-#include "options.h"
-#include "output.h"
-#include "picture.h"
-#include "swCamera.h"
+#include "lab.h"
+#include "program.h"
 #include "swErrorEstimate.h"
-#include "swFile.h"
-#include "swImage.h"
-#include "swMetrics.h"
-#include "swNff.h"
 #include "swRayCount.h"
 #include "swSampling.h"
-#include "swScene.h"
 
 using namespace sw;
 
@@ -69,60 +57,6 @@ Color samplePixel(float x, float y, int n, int depth, const Camera& camera, cons
     return sum * (1 / (cells * cells));
 }
 
-// Loads, renders and writes what the command line asks for.
-void run(Options options) {
-    StepTimes seconds;
-    StopWatch watch;
-
-    NffScene file = loadNff(options.scene);
-    settleSize(options, file.width, file.height);
-    requireWritable(options.output);
-    if (!options.stats.empty()) requireWritable(options.stats);
-    if (!options.errorImage.empty()) requireWritable(options.errorImage);
-    if (!options.quiet) printWarnings(file.warnings);
-    seconds.load = watch.lap();
-
-    file.camera.setup(options.width, options.height);
-    file.scene.prepare();
-    seconds.build = watch.lap();
-
-    const auto radiance = [&](float x, float y) {
-        return traceRay(file.camera.getRay(x, y), file.scene, options.depth);
-    };
-    const auto pixel = [&](int x, int y) {
-        return samplePixel(static_cast<float>(x), static_cast<float>(y), options.samples,
-                           options.depth, file.camera, file.scene);
-    };
-    const Picture picture = renderPicture(options, radiance, pixel);
-    seconds.trace = watch.lap();
-
-    writePng(picture.image, options.output, options.gamma);
-    if (!options.errorImage.empty()) writePng(heatMap(picture.errors), options.errorImage);
-    seconds.write = watch.lap();
-
-    if (!options.stats.empty())
-        writeFile(options.stats, statsJson(options, picture, seconds, file.scene));
-    if (!options.quiet) std::cout << summary(options, picture, seconds) << std::endl;
-}
-
-// Exit codes: 0 done, 1 unexpected, 2 command line, 3 scene, 4 output.
 int main(int argc, char** argv) {
-    const auto fail = [](int code, const std::exception& error) {
-        std::cerr << "swtracer: " << error.what() << std::endl;
-        return code;
-    };
-    try {
-        run(parseOptions(argc, argv));
-        return 0;
-    } catch (const UsageError& error) {
-        return fail(2, error);
-    } catch (const NffError& error) {
-        return fail(3, error);
-    } catch (const FileError& error) {
-        return fail(4, error);
-    } catch (const std::bad_alloc&) {
-        return fail(2, UsageError("too large for memory; try a smaller --size, or --crop"));
-    } catch (const std::exception& error) {
-        return fail(1, error);
-    }
+    return runProgram(argc, argv);
 }
