@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -29,6 +30,12 @@ struct NffScene {
     std::vector<std::string> warnings;
 };
 
+/// A shape as a scene file describes it. A polygon of more than three vertices is several.
+struct NffShape {
+    std::shared_ptr<const Primitive> primitive;
+    int line;  ///< where its statement begins; the first line is 1
+};
+
 /// Reads a scene in Eric Haines' Neutral File Format (Standard Procedural Databases, 1987):
 ///
 ///     v                        the view, anywhere in the file; angle is vertical, in degrees
@@ -48,12 +55,15 @@ struct NffScene {
 /// inside can be seen. Polygons need not be convex, and vertices may be repeated. What is odd and
 /// yet can be rendered gives a warning: a polygon that crosses itself or is not plane, a cone
 /// without height.
-/// @param name  what error messages call the text
+/// @param name    what error messages call the text
+/// @param shapes  where not null, all shapes are appended, in the file's order. A scene itself does
+///                not remember where its shapes come from
 /// @throws NffError
-NffScene parseNff(std::string_view text, const std::string& name);
+NffScene parseNff(std::string_view text, const std::string& name,
+                  std::vector<NffShape>* shapes = nullptr);
 
 /// Reads a scene file.
 /// @throws NffError
-NffScene loadNff(const std::filesystem::path& path);
+NffScene loadNff(const std::filesystem::path& path, std::vector<NffShape>* shapes = nullptr);
 
 }  // namespace sw

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+// kit >>>
 #include <functional>
 #include <vector>
 
 #include "swVec3.h"
+// <<<
 
 namespace sw {
 
@@ -19,6 +21,7 @@ enum class Sampler : unsigned char {
 /// What users call the samplers, indexed by Sampler.
 inline constexpr std::array<const char*, 4> samplerNames{"jitter", "grid", "random", "multijitter"};
 
+// kit >>>
 /// A place in a pixel: 0..1 from its top left corner.
 struct SamplePoint {
     float x, y;
@@ -37,4 +40,5 @@ std::vector<SamplePoint> samplePoints(Sampler sampler, int n);
 Color samplePixelWith(Sampler sampler, float x, float y, int n,
                       const std::function<Color(float x, float y)>& radiance);
 
+// <<<
 }  // namespace sw

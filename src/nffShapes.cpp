@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "swNumerics.h"
 #include "triangulate.h"
@@ -43,11 +44,21 @@ std::vector<std::string> NffShapes::warnings() const {
     return lines;
 }
 
+template <typename Shape>
+void NffShapes::push(const Shape& shape, const char* statement) {
+    scene.push(shape);
+    if (!listed) return;
+    line += static_cast<int>(std::count(counted, statement, '\n'));
+    counted = statement;
+    listed->push_back({std::make_shared<Shape>(shape), line});
+}
+
 void NffShapes::readSphere(const Material& material) {
+    const char* const statement = tokens.last().begin();
     float v[4];
     tokens.numbers("s", v, 4, "is the radius missing?");
     if (v[3] == 0) tokens.failAtLast("expected a radius other than 0");
-    scene.push(Sphere(Vec3(v[0], v[1], v[2]), v[3], material));
+    push(Sphere(Vec3(v[0], v[1], v[2]), v[3], material), statement);
 }
 
 void NffShapes::readCone(const Material& material) {
@@ -62,7 +73,7 @@ void NffShapes::readCone(const Material& material) {
         tokens.failAtLast("expected a radius other than 0 at one end at least");
     // Some exporters write lids as cones without height, and others thin cones in too few digits.
     if ((apex - base).isZero()) return flatCones.note(statement, "cone has no height");
-    scene.push(Cone(base, baseRadius, apex, apexRadius, material));
+    push(Cone(base, baseRadius, apex, apexRadius, material), statement);
 }
 
 void NffShapes::readPolygon(const Material& material) {
@@ -71,7 +82,7 @@ void NffShapes::readPolygon(const Material& material) {
     readVertices({"p", 3 * count, "a polygon has three numbers per vertex"}, false);
     cut(statement, [&](std::size_t a, std::size_t b, std::size_t c) {
         const Vec3 corners[] = {vertices[a], vertices[b], vertices[c]};
-        scene.push(Triangle(corners, material));
+        push(Triangle(corners, material), statement);
     });
 }
 
@@ -79,18 +90,20 @@ void NffShapes::readPatch(const Material& material) {
     const char* const statement = tokens.last().begin();
     const int count = readVertexCount("pp");
     readVertices({"pp", 6 * count, "a patch has six numbers per vertex"}, true);
-    cut(statement,
-        [&](std::size_t a, std::size_t b, std::size_t c) { pushPatch(a, b, c, material); });
+    cut(statement, [&](std::size_t a, std::size_t b, std::size_t c) {
+        push(patch(a, b, c, material), statement);
+    });
 }
 
 // Many files go round clockwise and yet have normals that point outwards. The order says which side
 // is the front, as the format demands; the normals say how the surface bends, from either side.
-void NffShapes::pushPatch(std::size_t a, std::size_t b, std::size_t c, const Material& material) {
+Patch NffShapes::patch(std::size_t a, std::size_t b, std::size_t c,
+                       const Material& material) const {
     const Vec3 v[] = {vertices[a], vertices[b], vertices[c]};
     Vec3 n[] = {normals[a], normals[b], normals[c]};
     if (isBelow(v, n[0]) && isBelow(v, n[1]) && isBelow(v, n[2]))
         for (Vec3& normal : n) normal = -normal;
-    scene.push(Patch(v, n, material));
+    return Patch(v, n, material);
 }
 
 int NffShapes::readVertexCount(const char* keyword) {
@@ -113,14 +126,14 @@ void NffShapes::readVertices(const NffTokens::Group& group, bool withNormals) {
 }
 
 template <typename PushTriangle>
-void NffShapes::cut(const char* statement, const PushTriangle& push) {
-    if (vertices.size() == 3) return push(0, 1, 2);
+void NffShapes::cut(const char* statement, const PushTriangle& pushTriangle) {
+    if (vertices.size() == 3) return pushTriangle(0, 1, 2);
     const Triangulation result = triangulate(vertices);
     if (!result.simple)
         unclearPolygons.note(statement, "polygon crosses itself");
     else if (!result.planar)
         unclearPolygons.note(statement, "polygon is not planar");
-    for (const auto& [a, b, c] : result.triangles) push(a, b, c);
+    for (const auto& [a, b, c] : result.triangles) pushTriangle(a, b, c);
 }
 
 }  // namespace sw

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "nffTokens.h"
-#include "swScene.h"
+#include "swNff.h"
 
 namespace sw {
 
@@ -12,7 +12,9 @@ namespace sw {
 /// which must be the last token taken.
 class NffShapes {
 public:
-    NffShapes(NffTokens& source, Scene& target) : tokens(source), scene(target) {}
+    /// @param list  where not null, shapes are noted there as well
+    NffShapes(NffTokens& source, Scene& target, std::vector<NffShape>* list)
+        : tokens(source), scene(target), listed(list), counted(source.begin()) {}
 
     void readSphere(const Material& material);   ///< s
     void readCone(const Material& material);     ///< c
@@ -35,11 +37,16 @@ private:
     int readVertexCount(const char* keyword);
     void readVertices(const NffTokens::Group& group, bool withNormals);
     template <typename PushTriangle>
-    void cut(const char* statement, const PushTriangle& push);
-    void pushPatch(std::size_t a, std::size_t b, std::size_t c, const Material& material);
+    void cut(const char* statement, const PushTriangle& pushTriangle);
+    Patch patch(std::size_t a, std::size_t b, std::size_t c, const Material& material) const;
+    template <typename Shape>
+    void push(const Shape& shape, const char* statement);
 
     NffTokens& tokens;
     Scene& scene;
+    std::vector<NffShape>* listed;
+    const char* counted;                  // up to here ...
+    int line = 1;                         // ... lines are counted, for the list alone
     std::vector<Vec3> vertices, normals;  // of the polygon being read
     Oddity unclearPolygons, flatCones;
 };

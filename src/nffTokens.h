@@ -50,6 +50,9 @@ public:
     /// "file:line:column: " for a position in the text.
     std::string place(const char* at) const;
 
+    /// Where the text starts.
+    const char* begin() const { return text.data(); }
+
     /// The last token taken. Where it ends is the place where something is missing.
     const NffToken& last() const { return previous; }
 

@@ -48,6 +48,13 @@ sw::Window readCrop(const std::string& text) {
     return {c[0], c[1], c[2], c[3]};
 }
 
+Pixel readPixel(const std::string& text) {
+    int p[2];
+    if (!readInts(text, ',', p) || p[0] < 0 || p[1] < 0)
+        throw UsageError("--pixel: expected x,y, each 0 or more, found '" + text + "'");
+    return {p[0], p[1]};
+}
+
 // CLI11 reads "-1" as the largest unsigned number.
 const CLI::Validator notNegative(
     [](const std::string& text) {
@@ -55,7 +62,8 @@ const CLI::Validator notNegative(
     },
     "");
 
-// There are three ways to sample a picture, and each has options of its own.
+// There are several ways to sample a picture, and each has options of its own. To look into a pixel
+// makes no picture.
 void requireOneWay(const CLI::App& app, const Options& options) {
     const auto refuse = [&](const std::string& way, std::initializer_list<const char*> others) {
         for (const std::string other : others)
@@ -63,6 +71,15 @@ void requireOneWay(const CLI::App& app, const Options& options) {
                 throw UsageError(way + ": expected no " + other +
                                  " beside it, found both (leave one out)");
     };
+    if (options.pixel)
+        refuse("--pixel",
+               {"--output", "--samples",
+                // kit >>>
+                "--sampler", "--adaptive", "--target-rmse", "--time-limit",
+                // <<<
+                "--corners", "--threads", "--crop", "--quiet", "--stats", "--error-image"});
+    // kit >>>
+    //| if (options.corners) refuse("--corners", {"--samples"});
     if (options.corners) refuse("--corners", {"--samples", "--sampler"});
     for (const char* way : {"--adaptive", "--target-rmse", "--time-limit"})
         if (app.count(way) > 0) {
@@ -70,13 +87,17 @@ void requireOneWay(const CLI::App& app, const Options& options) {
             if (!options.isAdaptive())
                 throw UsageError(std::string(way) + ": expected a number, found NaN");
         }
+    // <<<
 }
 
 }  // namespace
 
 Options parseOptions(int argc, const char* const* argv) {
     Options options;
-    std::string size, crop, sampler = "jitter";
+    std::string size, crop, pixel;
+    // kit >>>
+    std::string sampler = "jitter";
+    // <<<
 
     CLI::App app("Renders a scene by Whitted ray tracing.", "swtracer");
     app.set_version_flag("--version", SW_VERSION);
@@ -86,6 +107,7 @@ Options parseOptions(int argc, const char* const* argv) {
     app.add_option("--samples", options.samples, "N for NxN samples per pixel; 1: its centre")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
+    // kit >>>
     app.add_option("--sampler", sampler, "where they lie: jitter, grid, random or multijitter")
         ->check(CLI::IsMember(
             std::vector<std::string>(sw::samplerNames.begin(), sw::samplerNames.end())))
@@ -99,6 +121,7 @@ Options parseOptions(int argc, const char* const* argv) {
         ->check(positive);
     app.add_option("--time-limit", options.timeLimit, "the same, for that many seconds")
         ->check(positive);
+    // <<<
     app.add_flag("--corners", options.corners,
                  "rays at the corners of pixels, each shared by four, instead of samples");
     app.add_option("--depth", options.depth, "how often a ray may be reflected or refracted")
@@ -111,6 +134,8 @@ Options parseOptions(int argc, const char* const* argv) {
         ->check(notNegative)
         ->capture_default_str();
     app.add_option("--crop", crop, "x0,y0,x1,y1: only this window of the picture");
+    app.add_option("--pixel", pixel,
+                   "x,y: no picture, but the tree of rays behind this pixel's centre");
     app.add_option("--gamma", options.gamma, "of the picture")
         ->check(CLI::Range(0.1, 10.0))
         ->capture_default_str();
@@ -124,11 +149,14 @@ Options parseOptions(int argc, const char* const* argv) {
         app.parse(argc, argv);
         if (app.count("--size") > 0) readSize(size, options);
         if (app.count("--crop") > 0) options.crop = readCrop(crop);
+        if (app.count("--pixel") > 0) options.pixel = readPixel(pixel);
         requireOneWay(app, options);
         if (options.corners) options.samples = 1;
+        // kit >>>
         options.sampler = static_cast<sw::Sampler>(
             std::find(sw::samplerNames.begin(), sw::samplerNames.end(), sampler) -
             sw::samplerNames.begin());
+        // <<<
         if (!options.errorImage.empty() && options.samples == 1 && !options.isAdaptive())
             throw UsageError(
                 "--error-image: expected --samples 2 or more, found one sample per pixel");
@@ -152,6 +180,9 @@ void settleSize(Options& options, int sceneWidth, int sceneHeight) {
     if (crop.x1 > options.width || crop.y1 > options.height)
         throw UsageError("--crop: expected a window within " + size + ", found one that ends at " +
                          std::to_string(crop.x1) + "," + std::to_string(crop.y1));
+    if (options.pixel && (options.pixel->x >= options.width || options.pixel->y >= options.height))
+        throw UsageError("--pixel: expected a pixel within " + size + ", found " +
+                         std::to_string(options.pixel->x) + "," + std::to_string(options.pixel->y));
     if (static_cast<long long>(crop.width()) * crop.height() > mostPixels)
         throw UsageError("a picture of " + size +
                          " is too large for memory; expected at most 2^28 pixels (use --crop)");

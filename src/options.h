@@ -9,6 +9,11 @@
 #include "swRenderer.h"
 #include "swSampler.h"
 
+/// A pixel of a picture; 0,0 is the top left one.
+struct Pixel {
+    int x = 0, y = 0;
+};
+
 /// What the command line asks for.
 struct Options {
     std::filesystem::path scene;  ///< the lab's, where none is named
@@ -24,6 +29,7 @@ struct Options {
     int threads = 0;                   ///< 0: one per hardware thread
     std::uint64_t seed = 1;            ///< of the jitter
     std::optional<sw::Window> crop;    ///< render only this part of the picture
+    std::optional<Pixel> pixel;        ///< print the rays behind it, and render nothing
     float gamma = 2.2f;                ///< of the PNG
     bool quiet = false;                ///< neither progress nor summary
     std::filesystem::path stats;       ///< JSON file for statistics; empty: none
@@ -44,5 +50,6 @@ public:
 Options parseOptions(int argc, const char* const* argv);
 
 /// Settles the picture's size, which only the scene may know.
-/// @throws UsageError for one too large for memory, or a crop that lies outside the picture
+/// @throws UsageError for one too large for memory, or a crop or pixel that lies outside the
+/// picture
 void settleSize(Options& options, int sceneWidth, int sceneHeight);

@@ -1,13 +1,17 @@
 #include "picture.h"
 
 #include "output.h"
+// kit >>>
 #include "swAdaptive.h"
+// <<<
 #include "swSampler.h"
 
 namespace {
 
 using Radiance = std::function<sw::Color(float, float)>;
+using PixelColor = std::function<sw::Color(int, int)>;
 
+// kit >>>
 Picture renderAdaptively(const Options& options, const sw::RenderOptions& how,
                          const Radiance& radiance) {
     sw::AdaptiveOptions limits;
@@ -23,16 +27,29 @@ Picture renderAdaptively(const Options& options, const sw::RenderOptions& how,
             static_cast<double>(result.samples) / pixels, result.statistics};
 }
 
+// The colour of a pixel from samples where the sampler says.
+PixelColor pixelColor(const Options& options, const Radiance& radiance,
+                      const PixelColor& labPixel) {
+    if (options.sampler == sw::Sampler::jitter) return labPixel;
+    return [&](int x, int y) {
+        return sw::samplePixelWith(options.sampler, static_cast<float>(x), static_cast<float>(y),
+                                   options.samples, radiance);
+    };
+}
+// <<<
+
 }  // namespace
 
 Picture renderPicture(const Options& options, const Radiance& radiance,
-                      const std::function<sw::Color(int x, int y)>& labPixel) {
+                      const PixelColor& labPixel) {
     sw::RenderOptions how{.threads = options.threads,
                           .seed = options.seed,
                           .progress = makeProgressBar(options.quiet),
                           .sampler = options.sampler,
                           .samples = options.samples};
+    // kit >>>
     if (options.isAdaptive()) return renderAdaptively(options, how, radiance);
+    // <<<
 
     const sw::Window& window = *options.crop;
     Picture picture{sw::Image(window.width(), window.height()),
@@ -43,15 +60,11 @@ Picture renderPicture(const Options& options, const Radiance& radiance,
     const auto corner = [&](int x, int y) {
         return radiance(static_cast<float>(x), static_cast<float>(y));
     };
-    const auto samplerPixel = [&](int x, int y) {
-        return sw::samplePixelWith(options.sampler, static_cast<float>(x), static_cast<float>(y),
-                                   options.samples, radiance);
-    };
-    if (options.corners)
-        picture.statistics = sw::renderCorners(picture.image, window, corner, how);
-    else if (options.sampler == sw::Sampler::jitter)
-        picture.statistics = sw::render(picture.image, window, labPixel, how);
-    else
-        picture.statistics = sw::render(picture.image, window, samplerPixel, how);
+    // kit >>>
+    //| const PixelColor& pixel = labPixel;
+    const PixelColor pixel = pixelColor(options, radiance, labPixel);
+    // <<<
+    picture.statistics = options.corners ? sw::renderCorners(picture.image, window, corner, how)
+                                         : sw::render(picture.image, window, pixel, how);
     return picture;
 }

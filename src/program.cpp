@@ -8,13 +8,29 @@
 #include "options.h"
 #include "output.h"
 #include "picture.h"
+#include "pixelTree.h"
 #include "swFile.h"
 #include "swMetrics.h"
 #include "swNff.h"
+#include "swSampling.h"
 
 using namespace sw;
 
 namespace {
+
+// Prints the rays behind one pixel.
+void lookIntoPixel(Options options) {
+    std::vector<NffShape> shapes;
+    NffScene file = loadNff(options.scene, &shapes);
+    settleSize(options, file.width, file.height);
+    printWarnings(file.warnings);
+    file.camera.setup(options.width, options.height);
+    const auto trace = [&](const Ray& ray, const Scene& scene, int depth) {
+        seedPixel(options.seed, options.pixel->x, options.pixel->y);
+        return traceRay(ray, scene, depth);
+    };
+    std::cout << describePixel(options, file, std::move(shapes), trace) << std::flush;
+}
 
 // Loads, renders and writes what the command line asks for.
 void run(Options options) {
@@ -60,7 +76,8 @@ int runProgram(int argc, const char* const* argv) {
         return code;
     };
     try {
-        run(parseOptions(argc, argv));
+        const Options options = parseOptions(argc, argv);
+        options.pixel ? lookIntoPixel(options) : run(options);
         return 0;
     } catch (const UsageError& error) {
         return fail(2, error);

@@ -1,8 +1,14 @@
 #include "swIntersection.h"
 
+#include "leave.h"
 #include "swNumerics.h"
+// kit >>>
+//| #include "todo.h"
+// <<<
 
 namespace sw {
+// tasks 4 and 5, formulas >>>
+//|
 namespace {
 
 using glm::dvec3;
@@ -14,15 +20,6 @@ dvec3 mirror(const dvec3& d, const dvec3& n) {
 
 dvec3 unit(const Vec3& v) {
     return glm::normalize(num::toDouble(v));
-}
-
-bool isBent(const Intersection& hit) {
-    const Vec3& n = hit.geometricNormal;
-    return n.m[0] != 0 || n.m[1] != 0 || n.m[2] != 0;
-}
-
-const Vec3& trueNormal(const Intersection& hit) {
-    return isBent(hit) ? hit.geometricNormal : hit.normal;
 }
 
 // A direction, and whether it passes through the surface.
@@ -41,13 +38,9 @@ Refracted refract(const dvec3& d, const dvec3& n, double eta) {
     return {glm::normalize(eta * d - (eta * dot(d, n) + std::sqrt(c)) * n), true};
 }
 
-Ray leave(const Intersection& hit, const Vec3& side, const dvec3& direction, RayKind kind) {
-    const Vec3 origin = num::offsetFromSurface(hit.position, side, num::statedOrDefaultError(hit));
-    return Ray(origin, num::toFloat(direction), 0, FLT_MAX, kind);
-}
-
 }  // namespace
 
+// <<<
 Ray Intersection::getShadowRay(const Vec3& lightPos) const {
     // The direction is rounded, so origin + 1 * direction may lie 2u beyond the light; 4u = 2^-22.
     constexpr float shortOfLight = 1 - 0x1p-22f;
@@ -57,16 +50,25 @@ Ray Intersection::getShadowRay(const Vec3& lightPos) const {
 }
 
 Ray Intersection::getReflectedRay() const {
+    // task 4 >>>
+    //| // TODO 4, reflection: into which direction does a mirror with this normal send ray.dir? It
+    //| // is to have length 1, which ray.dir need not have. leave() in leave.h makes the ray.
+    //| return todo::reflectedRay(*this);
     const dvec3 d = unit(ray.dir);
     dvec3 reflected = mirror(d, unit(normal));
     if (isBent(*this)) {
         const dvec3 up = unit(geometricNormal);
         if (!(dot(reflected, up) > 0)) reflected = mirror(d, up);
     }
-    return leave(*this, trueNormal(*this), reflected, RayKind::reflected);
+    return leave(*this, trueNormal(*this), num::toFloat(reflected), RayKind::reflected);
+    // <<<
 }
 
 Ray Intersection::getRefractedRay() const {
+    // task 5 >>>
+    //| // TODO 5, refraction: which direction does Snell's law give? frontFacing tells whether the
+    //| // ray enters the material or leaves it. Where nothing is refracted, all is reflected.
+    //| return todo::refractedRay(*this);
     const dvec3 d = unit(ray.dir);
     const double index = material.refractiveIndex;
     const double eta = frontFacing ? 1 / index : index;
@@ -77,7 +79,9 @@ Ray Intersection::getRefractedRay() const {
         if (!(refracted.passes ? height < 0 : height > 0)) refracted = refract(d, up, eta);
     }
     const Vec3& side = trueNormal(*this);
-    return leave(*this, refracted.passes ? -side : side, refracted.direction, RayKind::refracted);
+    return leave(*this, refracted.passes ? -side : side, num::toFloat(refracted.direction),
+                 RayKind::refracted);
+    // <<<
 }
 
 }  // namespace sw

@@ -18,7 +18,8 @@ struct FileLight {
 
 class NffParser {
 public:
-    NffParser(std::string_view text, const std::string& name) : tokens(text, name) {}
+    NffParser(std::string_view text, const std::string& name, std::vector<NffShape>* list)
+        : tokens(text, name), shapes(tokens, scene, list) {}
 
     NffScene parse() {
         while (!tokens.atEnd()) readStatement();
@@ -90,7 +91,7 @@ private:
 
     NffTokens tokens;
     Scene scene;
-    NffShapes shapes{tokens, scene};
+    NffShapes shapes;
     std::optional<NffView> view;
     std::optional<Material> material;
     std::vector<FileLight> lights;
@@ -98,18 +99,18 @@ private:
 
 }  // namespace
 
-NffScene parseNff(std::string_view text, const std::string& name) {
-    return NffParser(text, name).parse();
+NffScene parseNff(std::string_view text, const std::string& name, std::vector<NffShape>* shapes) {
+    return NffParser(text, name, shapes).parse();
 }
 
-NffScene loadNff(const std::filesystem::path& path) {
+NffScene loadNff(const std::filesystem::path& path, std::vector<NffShape>* shapes) {
     std::string text;
     try {
         text = readFile(path);
     } catch (const FileError& error) {
         throw NffError(error.what());
     }
-    return parseNff(text, path.string());
+    return parseNff(text, path.string(), shapes);
 }
 
 }  // namespace sw

@@ -25,12 +25,13 @@ Vec3 unitOr(const dvec3& n, const Vec3& otherwise) {
     return length > 0 && length < HUGE_VAL ? num::toFloat(n / length) : otherwise;
 }
 
+// kit >>>
 // Where a point of the triangle's plane lies: v0 + v (v1 - v0) + w (v2 - v0).
 struct Spot {
     double v, w;
 };
 
-// The lab's formula in swTriangle.cpp. At a vertex the result is exactly 0 or 1; rounding of the
+// Signed areas in units of the whole. At a vertex the result is exactly 0 or 1; rounding of the
 // point may put it outside by a little.
 Spot spotOf(const Triangle& triangle, const Vec3& point) {
     const dvec3 e1 = side(triangle, 1), e2 = side(triangle, 2), n = cross(e1, e2);
@@ -39,6 +40,8 @@ Spot spotOf(const Triangle& triangle, const Vec3& point) {
     const double v = std::clamp(dot(cross(p, e2), n) / area, 0.0, 1.0);
     return {v, std::clamp(dot(cross(e1, p), n) / area, 0.0, 1 - v)};
 }
+
+// <<<
 
 }  // namespace
 
@@ -51,6 +54,9 @@ Patch::Patch(const Vec3* v, const Vec3* n, const Material& surface)
 bool Patch::intersect(const Ray& ray, Intersection& hit) const {
     if (!triangle.intersect(ray, hit)) return false;
     hit.material = material;
+    // kit >>>
+    //| // Shaded flat, without its normals: where a point lies in a triangle is what task 2 is about.
+    //| return true;
     hit.geometricNormal = hit.normal;
 
     const auto [v, w] = spotOf(triangle, hit.position);
@@ -63,6 +69,7 @@ bool Patch::intersect(const Ray& ray, Intersection& hit) const {
     const bool facesRay = dot(rounded, num::toDouble(ray.dir)) < 0;
     if (isAbove && facesRay) hit.normal = bent;
     return true;
+    // <<<
 }
 
 }  // namespace sw

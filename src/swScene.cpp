@@ -17,7 +17,15 @@ struct Scene::Content {
     using PlainSet = ShapeSet<Shape, PlainBlock, PlainBlocks<Shape>>;
 
     ShapeSet<Sphere, SphereBlock, SphereBlocks> spheres;
+    // kit >>>
+    //| // A few triangles are all asked: a mistake in their intersect() is to show in the picture.
+    //| struct EachTriangle : PlainBlock {
+    //|     using PlainBlock::PlainBlock;
+    //|     static constexpr int few = TriangleBlock::few;
+    //| };
+    //| ShapeSet<Triangle, EachTriangle, TriangleBlocks> triangles;
     ShapeSet<Triangle, TriangleBlock, TriangleBlocks> triangles;
+    // <<<
     PlainSet<Cone> cones;
     PlainSet<Patch> patches;
     PlainSet<std::shared_ptr<Primitive>> others;

@@ -1,0 +1,27 @@
+#include "pixelTree.h"
+
+#include <locale>
+#include <sstream>
+
+#include "rayTreeText.h"
+#include "swImage.h"
+
+std::string describePixel(const Options& options, const sw::NffScene& file,
+                          std::vector<sw::NffShape> shapes, const pixel::Trace& trace) {
+    const float x = static_cast<float>(options.pixel->x) + 0.5f;
+    const float y = static_cast<float>(options.pixel->y) + 0.5f;
+    const pixel::RayTree tree =
+        pixel::growTree(trace, file.camera.getRay(x, y), file.scene, options.depth);
+
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "pixel " << options.pixel->x << ',' << options.pixel->y << " of " << options.width
+         << 'x' << options.height << ", through its centre";
+    if (const auto& color = tree.primary.color) {
+        text << ": shown as";
+        for (const float channel : color->m)
+            text << ' ' << static_cast<int>(sw::toByte(channel, options.gamma));
+    }
+    text << "\n\n" << describe(tree, file.scene, pixel::ShapeNames(std::move(shapes)));
+    return text.str();
+}
