@@ -1,0 +1,8 @@
+#include <iostream>
+
+#include "reportProgram.h"
+
+int main(int argc, char** argv) {
+    return lab::reportProgram(std::vector<std::string>(argv + 1, argv + argc), std::cout,
+                              std::cerr);
+}

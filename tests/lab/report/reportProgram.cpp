@@ -1,0 +1,99 @@
+#include "reportProgram.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "grade.h"
+#include "page.h"
+#include "swFile.h"
+
+namespace lab {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct WrongUse : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// When the last test ran, in local time; empty if none has.
+std::string lastRun(const std::vector<Task>& tasks) {
+    std::optional<fs::file_time_type> last;
+    for (const Task& task : tasks)
+        for (const Outcome& outcome : task.outcomes)
+            if (outcome.state != Outcome::State::notRun)
+                last = std::max(last.value_or(outcome.record.when), outcome.record.when);
+    if (!last) return "";
+    // Two clocks with a start of their own: what both know is how long ago it was.
+    using std::chrono::system_clock;
+    const auto ago = std::chrono::duration_cast<system_clock::duration>(
+        fs::file_time_type::clock::now() - *last);
+    const std::time_t time = system_clock::to_time_t(system_clock::now() - ago);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::put_time(std::localtime(&time), "%d %B %Y, %H:%M:%S");
+    return text.str();
+}
+
+// Six whole numbers with commas between them.
+std::vector<int> pointsFrom(const std::string& text) {
+    constexpr int most = 1'000'000;  // so that they can be added up
+    std::vector<int> points;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (bool more = true; more;) {
+        int value = -1;
+        const auto [next, error] = std::from_chars(at, end, value);
+        more = next != end && *next == ',';
+        if (error != std::errc() || value < 0 || value > most || (!more && next != end)) break;
+        points.push_back(value);
+        at = next + 1;
+    }
+    if (points.size() != 6 || std::count(text.begin(), text.end(), ',') != 5)
+        throw WrongUse("expected six whole numbers of points from 0 to " + std::to_string(most) +
+                       ", found '" + text + "'");
+    return points;
+}
+
+void writePage(const std::vector<std::string>& arguments) {
+    const auto tasks = results(arguments[1], arguments[2]);
+    const fs::path file = fs::absolute(arguments[3]);
+    fs::create_directories(file.parent_path());
+    sw::writeFile(file, page(tasks, arguments[1], lastRun(tasks)));
+}
+
+void writeGrade(const std::vector<std::string>& arguments, std::ostream& out) {
+    const std::string json = grade(results(arguments[1], arguments[2]), pointsFrom(arguments[4]));
+    sw::writeFile(arguments[3], json);
+    out << json;
+}
+
+}  // namespace
+
+int reportProgram(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+    try {
+        if (arguments.size() == 4 && arguments[0] == "page")
+            writePage(arguments);
+        else if (arguments.size() == 5 && arguments[0] == "grade")
+            writeGrade(arguments, out);
+        else
+            throw WrongUse(
+                "expected 'page RECORDS PROGRAM PAGE' or 'grade RECORDS PROGRAM JSON POINTS'");
+        return 0;
+    } catch (const WrongUse& error) {
+        err << "lab_report: " << error.what() << "\n";
+        return 2;
+    } catch (const std::exception& error) {
+        err << "lab_report: " << error.what() << "\n";
+        return 1;
+    }
+}
+
+}  // namespace lab
