@@ -8,7 +8,7 @@
 #include "options.h"
 #include "output.h"
 #include "picture.h"
-#include "pixelTree.h"
+#include "pixel/pixelTree.h"
 #include "swFile.h"
 #include "swMetrics.h"
 #include "swNff.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rayTree.h"
+#include "pixel/rayTree.h"
 #include "support.h"
 
 // traceRay() as students write it, and what may go wrong there.

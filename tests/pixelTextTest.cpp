@@ -1,6 +1,6 @@
 #include "files.h"
+#include "pixel/rayTreeText.h"
 #include "pixelStudents.h"
-#include "rayTreeText.h"
 #include "testScenes.h"
 
 // What is said about the rays behind a pixel.
