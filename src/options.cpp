@@ -157,7 +157,10 @@ Options parseOptions(int argc, const char* const* argv) {
             std::find(sw::samplerNames.begin(), sw::samplerNames.end(), sampler) -
             sw::samplerNames.begin());
         // <<<
+        // kit >>>
+        //| if (!options.errorImage.empty() && options.samples == 1)
         if (!options.errorImage.empty() && options.samples == 1 && !options.isAdaptive())
+            // <<<
             throw UsageError(
                 "--error-image: expected --samples 2 or more, found one sample per pixel");
         if (!(options.gamma > 0)) throw UsageError("--gamma: expected a number, found NaN");

@@ -21,9 +21,11 @@ struct Options {
     int width = 0, height = 0;  ///< pixels; 0: the scene's own resolution
     int samples = 3;            ///< per side of the grid in every pixel
     sw::Sampler sampler = sw::Sampler::jitter;
-    float tolerance = 0;               ///< adaptive: of each pixel's estimated error; 0: none
-    float targetRmse = 0;              ///< adaptive: of the picture's estimated error; 0: none
-    double timeLimit = 0;              ///< adaptive: in seconds; 0: none
+    // kit >>>
+    float tolerance = 0;   ///< adaptive: of each pixel's estimated error; 0: none
+    float targetRmse = 0;  ///< adaptive: of the picture's estimated error; 0: none
+    double timeLimit = 0;  ///< adaptive: in seconds; 0: none
+    // <<<
     bool corners = false;              ///< shoot rays at the pixels' corners instead; samples is 1
     int depth = 3;                     ///< of the recursion: 0 traces primary rays alone
     int threads = 0;                   ///< 0: one per hardware thread
@@ -34,9 +36,11 @@ struct Options {
     bool quiet = false;                ///< neither progress nor summary
     std::filesystem::path stats;       ///< JSON file for statistics; empty: none
     std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none
+    // kit >>>
 
     /// Whether as many samples are taken in each pixel as its error asks for.
     bool isAdaptive() const { return tolerance > 0 || targetRmse > 0 || timeLimit > 0; }
+    // <<<
 };
 
 /// A command line that makes no sense. The message says what to do instead.
