@@ -46,10 +46,12 @@ isThere() {
         catch2) hasHeader catch2/catch.hpp || hasHeader catch2/catch_all.hpp ;;
         cli11) hasHeader CLI/CLI.hpp ;;
         fast_float) hasHeader fast_float/fast_float.h ;;
+        json) hasHeader nlohmann/json.hpp ;;
         clang) hasCommand clang++ ;;
         libc++) hasLibcxx ;;
         fuzzer) hasFuzzer ;;
         clang-format) hasCommand clang-format ;;
+        ccache) hasCommand ccache ;;
         benchmark) hasHeader benchmark/benchmark.h ;;
         embree) hasHeader embree3/rtcore.h || hasHeader embree4/rtcore.h ;;
         gnuplot) hasCommand gnuplot ;;
@@ -75,6 +77,8 @@ packages() {
         fast_float:apt) echo libfast-float-dev ;;
         fast_float:dnf) echo fast_float-devel ;;
         fast_float:pacman) echo fast_float ;;  fast_float:brew) echo fast_float ;;
+        json:apt) echo nlohmann-json3-dev ;;   json:dnf) echo json-devel ;;
+        json:*) echo nlohmann-json ;;
         clang:brew) echo llvm ;;               clang:*) echo clang ;;
         libc++:apt) echo libc++-dev libc++abi-dev ;;
         libc++:dnf) echo libcxx-devel libcxxabi-devel ;;
@@ -83,6 +87,7 @@ packages() {
         fuzzer:pacman) echo compiler-rt ;;     fuzzer:brew) ;;
         clang-format:dnf) echo clang-tools-extra ;;
         clang-format:pacman) echo clang ;;     clang-format:*) echo clang-format ;;
+        ccache:*) echo ccache ;;
         benchmark:apt) echo libbenchmark-dev ;;
         benchmark:dnf) echo google-benchmark-devel ;;
         benchmark:pacman) echo benchmark ;;    benchmark:brew) echo google-benchmark ;;
@@ -115,9 +120,9 @@ for candidate in apt:apt-get dnf:dnf pacman:pacman brew:brew; do
 done
 
 tools="compiler cmake ninja"
-libraries="glm stb catch2 cli11 fast_float"
+libraries="glm stb catch2 cli11 fast_float json"
 extras=
-[ $developer = no ] || extras="clang libc++ fuzzer clang-format benchmark embree gnuplot"
+[ $developer = no ] || extras="clang libc++ fuzzer clang-format ccache benchmark embree gnuplot"
 
 wanted=
 for item in $tools $libraries $extras; do

@@ -42,20 +42,17 @@ struct AdaptiveOptions {
     float targetRmse = 0;   ///< estimated, of the whole window; in the same unit
     double timeLimit = 0;   ///< seconds of wall time; the first pass is always finished
     int maxSamples = 1024;  ///< per pixel: 1, 4, 8, 16, ..., at most 4096
-    /// Its progress is told of the first pass, which is most of the work in smooth pictures.
+    /// render.progress reports the first pass only, which is most of the work in smooth pictures.
     RenderOptions render = {};
     /// Asked after every pass, by the calling thread: false ends the rendering.
     std::function<bool(const AdaptiveProgress&)> keepGoing = nullptr;
 };
 
-struct AdaptiveResult {
-    Image image;
-    Image errors;                   ///< estimated, of each pixel; the same in all channels
+/// Its samples are all that were taken, also in the margin around the window. A pixel's estimated
+/// error is the same in all channels.
+struct AdaptiveResult : RenderResult {
     std::vector<int> sampleCounts;  ///< of each pixel, row by row
-    double estimatedRmse = 0;       ///< of the image
-    std::uint64_t samples = 0;      ///< all that were taken, also in the margin around the window
     int passes = 0;
-    RenderStatistics statistics;
 };
 
 /// Renders a window of a picture with as many samples in each pixel as its error asks for. The

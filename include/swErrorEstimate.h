@@ -3,16 +3,12 @@
 #include <vector>
 
 #include "swImage.h"
-#include "swSampler.h"
+#include "swSampling.h"
 
 namespace sw {
 
-/// Notes a sample of this thread's pixel for the error estimate, and returns it.
-/// Where nobody estimates, it does nothing else.
-Color noteSample(const Color& color);
-
 /// The error of a channel as the picture shows it, cut off at 0 and 1: half the length of what
-/// remains of mean +- error. 0 for a lamp that is brighter than white on all its samples; 1/2,
+/// remains of mean +- error. 0 for a light that is brighter than white on all its samples; 1/2,
 /// as anything is possible, for infinite samples.
 float shownError(float mean, float error);
 
@@ -34,9 +30,9 @@ float shownError(float mean, float error);
 /// What no sample has hit remains unseen.
 class PixelSamples {
 public:
-    /// Keeps what its thread's noteSample() notes, for as long as it lives.
+    /// Keeps the samples that its thread adds to a SampleMean, for as long as it lives.
     /// @param n  samples per side of the grid; less than 2: nothing is kept
-    PixelSamples(Sampler sampler, int n);
+    PixelSamples(SamplePattern pattern, int n);
     ~PixelSamples();
     PixelSamples(const PixelSamples&) = delete;
     PixelSamples& operator=(const PixelSamples&) = delete;
@@ -47,27 +43,18 @@ public:
     ///              just n x n samples, or n is less than 2
     Color takeError(const Color& mean);
 
-    /// Four floats, the last one 0, are one operation of the processor; three are not.
-    struct Sample {
-        float m[4];
-    };
-    /// Room for more of them.
-    struct Space {
-        Sample *next, *end;
-    };
-
 private:
-    Sampler sampler;
+    SamplePattern pattern;
     std::size_t n;
     float factor;  // from sums of squares to the variance of the mean
-    std::vector<Sample> samples;
-    Space outer;  // of a picture that is rendered by a pixel of another one
+    std::vector<NotedSample> samples;
+    SampleSpace outer;  // of a picture that is rendered by a pixel of another one
 };
 
 /// The picture's estimated RMSE in steps of its 8-bit encoding (compare Metrics::rmseSteps): what
 /// the errors are worth from the mean downwards, where the encoding is steeper. Some 20 % too
 /// small in the lab's picture: light that all samples of a black pixel miss is many steps.
-/// @param errors  of its pixels, from RenderOptions::errors; NaN anywhere makes the result NaN
+/// @param errors  of its pixels, from RenderResult::errors; NaN anywhere makes the result NaN
 double estimatedSteps(const Image& image, const Image& errors, float gamma = 2.2f);
 
 }  // namespace sw

@@ -15,29 +15,50 @@ struct Intersection {
     Material material;
     Ray ray;  ///< the ray that hit
 
-    /// Unit normal of the true surface, on the same side, where `normal` was bent so that a flat
-    /// piece shades like a round one. It tells above from below: spawned rays start and stay on
-    /// their side of it. Zero, as primitives leave it that bend nothing: the same as `normal`.
+    /// Unit normal of the true surface, on the same side, where `normal` is a shading normal that
+    /// makes a flat piece look round. It tells above from below: spawned rays start and stay on
+    /// their side of it. Zero (the default): no shading normal was set, `normal` is the geometric
+    /// one.
     Vec3 geometricNormal;
 
     /// How far `position` may lie from the true surface, and how far along the normal the next ray
-    /// must start so as not to meet the same surface again. Negative where the primitive does not
-    /// say: then a cautious default takes its place (num::statedOrDefaultError).
+    /// must start so as not to meet the same surface again. Negative (the default): the primitive
+    /// does not say, and a cautious bound takes its place, see errorBound().
     float positionError = -1;
+
+    bool hasShadingNormal() const { return !geometricNormal.isZero(); }
+    /// Unit geometric normal, on the side that the ray came from.
+    const Vec3& surfaceNormal() const { return hasShadingNormal() ? geometricNormal : normal; }
+
+    /// The positionError, or a cautious bound where the primitive states none.
+    ///
+    /// The slides start their rays at t = 0.01, which suits the lab's scene of some 60 units. The
+    /// bound keeps that proportion at every scale: 2^-14 of the lengths that went into the hit
+    /// point, its own coordinates and the way to it. That is 1000 roundings, enough for textbook
+    /// formulas in float at distances up to about 30 times the primitive's size.
+    float errorBound() const;
+
+    /// Ray that starts at the hit point, just so far off the surface that it does not meet it
+    /// again.
+    /// @param direction  of any length but zero
+    /// @param side       unit normal on the side where the ray goes on: `normal`, or `-normal` for
+    ///                   one that passes through the surface
+    /// @param kind       for the statistics alone
+    Ray spawnRay(const Vec3& direction, const Vec3& side, RayKind kind) const;
 
     /// Ray from the hit point to a light. Its direction is not normalised, and maxT ends it just
     /// short of the light: whatever it hits stands between point and light.
     /// It starts above the true surface, so light from behind is blocked by the surface itself.
     Ray getShadowRay(const Vec3& lightPos) const;
 
-    /// Ray that leaves the hit point as from a mirror; unit direction. Where a bent normal would
-    /// send it into the surface, it is mirrored at the true surface.
+    /// Ray that leaves the hit point as from a mirror; unit direction. Where a shading normal
+    /// would send it into the surface, it is mirrored at the true surface.
     Ray getReflectedRay() const;
 
     /// Ray that leaves the hit point by Snell's law; unit direction. Entering through the front
     /// divides by material.refractiveIndex, leaving through the back multiplies with it.
-    /// On total internal reflection it is the reflected direction. Where a bent normal would send
-    /// it to the wrong side, it is refracted at the true surface.
+    /// On total internal reflection it is the reflected direction. Where a shading normal would
+    /// send it to the wrong side, it is refracted at the true surface.
     Ray getRefractedRay() const;
 };
 

@@ -32,8 +32,12 @@ struct NffScene {
 
 /// A shape as a scene file describes it. A polygon of more than three vertices is several.
 struct NffShape {
+    using Describe = std::string (*)(const Primitive&);
+
     std::shared_ptr<const Primitive> primitive;
-    int line;  ///< where its statement begins; the first line is 1
+    int line;                     ///< where its statement begins; the first line is 1
+    const char* kind = "other";   ///< what the format calls it
+    Describe describe = nullptr;  ///< "centre (0, 1, 0), radius 2" for example; null: nothing
 };
 
 /// Reads a scene in Eric Haines' Neutral File Format (Standard Procedural Databases, 1987):
@@ -46,7 +50,7 @@ struct NffShape {
 ///                              refractive index i (ignored where T is 0); Shine is not used.
 ///                              The diffuse part is Kd * (r, g, b), unless Ks + T is 1 or more
 ///     s x y z radius           sphere
-///     c x y z r  x y z r       cone or cylinder without lids: base, its radius, apex, its radius
+///     c x y z r  x y z r       cone or cylinder without caps: base, its radius, apex, its radius
 ///     p n  x y z  ...          plane polygon of n vertices, counter-clockwise from its front
 ///     pp n  x y z nx ny nz ... patch: the same, with a normal at each vertex for smooth shading
 ///     # ...                    comment until the end of the line

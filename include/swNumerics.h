@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "swIntersection.h"
 #include "swVec3.h"
 
 /// Double precision inside, floats outside, and bounds for what is lost between the two.
@@ -40,14 +39,6 @@ inline float maxAbs(const Vec3& v) {
 inline float surfaceError(const Vec3& position, float extent) {
     return 4 * unitRoundoff * (maxAbs(position) + extent);
 }
-
-/// The positionError of a hit, or a cautious default where its primitive states none.
-///
-/// The slides start their rays at t = 0.01, which suits the lab's scene of some 60 units. The
-/// default keeps that proportion at every scale: 2^-14 of the lengths that went into the hit
-/// point, its own coordinates and the way to it. That is 1000 roundings, enough for textbook
-/// formulas in float at distances up to about 30 times the primitive's size.
-float statedOrDefaultError(const Intersection& hit);
 
 /// Moves a point off a surface, rounding every coordinate away from it (Pharr, Jakob and
 /// Humphreys, Physically Based Rendering, 3rd ed., section 3.9.5, "Robust spawned ray origins").

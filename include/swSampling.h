@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+
+#include "swVec3.h"
 
 namespace sw {
 
@@ -10,5 +14,48 @@ void seedPixel(std::uint64_t seed, int x, int y);
 
 /// The next random number of this thread's pixel: uniform in [0, 1).
 float uniform();
+
+/// Where in its pixel the n x n samples lie.
+enum class SamplePattern : unsigned char {
+    jitter,      ///< one at a random place in each cell of an n x n grid, as in the lab
+    grid,        ///< the centres of these cells; nothing random
+    random,      ///< anywhere; for comparison
+    multiJitter  ///< jitter with one sample in each of n^2 columns and n^2 rows, too
+};
+
+/// What users call the patterns, indexed by SamplePattern.
+inline constexpr std::array<const char*, 4> patternNames{"jitter", "grid", "random", "multijitter"};
+
+/// A sample as the error estimate keeps it. Four floats, the last one 0, are one operation of the
+/// processor; three are not.
+struct NotedSample {
+    float m[4];
+};
+
+/// Room for the samples of this thread's pixel. Empty where nobody estimates an error.
+struct SampleSpace {
+    NotedSample *next = nullptr, *end = nullptr;
+};
+inline thread_local constinit SampleSpace sampleSpace;
+
+/// The mean of a pixel's samples. The renderer sees them, too: they tell how far their mean may be
+/// off (see swErrorEstimate.h).
+class SampleMean {
+public:
+    SampleMean& operator+=(const Color& sample) {
+        sum += sample;
+        ++count;
+        if (sampleSpace.next != sampleSpace.end)
+            *sampleSpace.next++ = {{sample[0], sample[1], sample[2], 0}};
+        return *this;
+    }
+
+    /// Black without any sample.
+    operator Color() const { return count == 0 ? sum : sum * (1 / static_cast<float>(count)); }
+
+private:
+    Color sum;
+    int count = 0;
+};
 
 }  // namespace sw

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "swCone.h"
@@ -15,7 +16,7 @@ namespace sw {
 
 /// What a scene consists of, and whether a tree was needed to find its way.
 struct SceneParts {
-    std::size_t spheres = 0, triangles = 0, cones = 0, patches = 0, others = 0;
+    std::vector<std::pair<const char*, std::size_t>> counts;  ///< {"spheres", 7} for example
     bool tree = false;
 };
 

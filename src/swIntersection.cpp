@@ -1,14 +1,8 @@
 #include "swIntersection.h"
 
-#include "leave.h"
 #include "swNumerics.h"
-// kit >>>
-//| #include "todo.h"
-// <<<
 
 namespace sw {
-// tasks 4 and 5, formulas >>>
-//|
 namespace {
 
 using glm::dvec3;
@@ -40,48 +34,45 @@ Refracted refract(const dvec3& d, const dvec3& n, double eta) {
 
 }  // namespace
 
-// <<<
+float Intersection::errorBound() const {
+    if (positionError >= 0) return positionError;
+    return 0x1p-14f * (num::maxAbs(position) + std::fabs(hitT) * ray.dir.norm());
+}
+
+Ray Intersection::spawnRay(const Vec3& direction, const Vec3& side, RayKind kind) const {
+    return Ray(num::offsetFromSurface(position, side, errorBound()), direction, 0, FLT_MAX, kind);
+}
+
 Ray Intersection::getShadowRay(const Vec3& lightPos) const {
     // The direction is rounded, so origin + 1 * direction may lie 2u beyond the light; 4u = 2^-22.
     constexpr float shortOfLight = 1 - 0x1p-22f;
-    const Vec3 origin =
-        num::offsetFromSurface(position, trueNormal(*this), num::statedOrDefaultError(*this));
+    const Vec3 origin = num::offsetFromSurface(position, surfaceNormal(), errorBound());
     return Ray(origin, lightPos - origin, 0, shortOfLight, RayKind::shadow);
 }
 
 Ray Intersection::getReflectedRay() const {
-    // task 4 >>>
-    //| // TODO 4, reflection: into which direction does a mirror with this normal send ray.dir? It
-    //| // is to have length 1, which ray.dir need not have. leave() in leave.h makes the ray.
-    //| return todo::reflectedRay(*this);
     const dvec3 d = unit(ray.dir);
     dvec3 reflected = mirror(d, unit(normal));
-    if (isBent(*this)) {
+    if (hasShadingNormal()) {
         const dvec3 up = unit(geometricNormal);
         if (!(dot(reflected, up) > 0)) reflected = mirror(d, up);
     }
-    return leave(*this, trueNormal(*this), num::toFloat(reflected), RayKind::reflected);
-    // <<<
+    return spawnRay(num::toFloat(reflected), surfaceNormal(), RayKind::reflected);
 }
 
 Ray Intersection::getRefractedRay() const {
-    // task 5 >>>
-    //| // TODO 5, refraction: which direction does Snell's law give? frontFacing tells whether the
-    //| // ray enters the material or leaves it. Where nothing is refracted, all is reflected.
-    //| return todo::refractedRay(*this);
     const dvec3 d = unit(ray.dir);
     const double index = material.refractiveIndex;
     const double eta = frontFacing ? 1 / index : index;
     Refracted refracted = refract(d, unit(normal), eta);
-    if (isBent(*this)) {
+    if (hasShadingNormal()) {
         const dvec3 up = unit(geometricNormal);
         const double height = dot(refracted.direction, up);
         if (!(refracted.passes ? height < 0 : height > 0)) refracted = refract(d, up, eta);
     }
-    const Vec3& side = trueNormal(*this);
-    return leave(*this, refracted.passes ? -side : side, num::toFloat(refracted.direction),
-                 RayKind::refracted);
-    // <<<
+    const Vec3& up = surfaceNormal();
+    return spawnRay(num::toFloat(refracted.direction), refracted.passes ? -up : up,
+                    RayKind::refracted);
 }
 
 }  // namespace sw

@@ -21,11 +21,6 @@ float roundTowards(double x, float towards) {
 
 }  // namespace
 
-float statedOrDefaultError(const Intersection& hit) {
-    if (hit.positionError >= 0) return hit.positionError;
-    return 0x1p-14f * (maxAbs(hit.position) + std::fabs(hit.hitT) * hit.ray.dir.norm());
-}
-
 Vec3 offsetFromSurface(const Vec3& point, const Vec3& normal, float distance) {
     const glm::dvec3 moved = toDouble(point) + static_cast<double>(distance) * toDouble(normal);
     return {roundTowards(moved.x, normal[0]), roundTowards(moved.y, normal[1]),

@@ -25,7 +25,6 @@ Vec3 unitOr(const dvec3& n, const Vec3& otherwise) {
     return length > 0 && length < HUGE_VAL ? num::toFloat(n / length) : otherwise;
 }
 
-// kit >>>
 // Where a point of the triangle's plane lies: v0 + v (v1 - v0) + w (v2 - v0).
 struct Spot {
     double v, w;
@@ -41,8 +40,6 @@ Spot spotOf(const Triangle& triangle, const Vec3& point) {
     return {v, std::clamp(dot(cross(e1, p), n) / area, 0.0, 1 - v)};
 }
 
-// <<<
-
 }  // namespace
 
 Patch::Patch(const Vec3* v, const Vec3* n, const Material& surface)
@@ -54,9 +51,6 @@ Patch::Patch(const Vec3* v, const Vec3* n, const Material& surface)
 bool Patch::intersect(const Ray& ray, Intersection& hit) const {
     if (!triangle.intersect(ray, hit)) return false;
     hit.material = material;
-    // kit >>>
-    //| // Shaded flat, without its normals: where a point lies in a triangle is what task 2 is about.
-    //| return true;
     hit.geometricNormal = hit.normal;
 
     const auto [v, w] = spotOf(triangle, hit.position);
@@ -69,7 +63,6 @@ bool Patch::intersect(const Ray& ray, Intersection& hit) const {
     const bool facesRay = dot(rounded, num::toDouble(ray.dir)) < 0;
     if (isAbove && facesRay) hit.normal = bent;
     return true;
-    // <<<
 }
 
 }  // namespace sw

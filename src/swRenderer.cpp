@@ -9,6 +9,7 @@
 #include <numeric>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "swErrorEstimate.h"
@@ -19,18 +20,23 @@ namespace {
 
 class TileRenderer {
 public:
-    TileRenderer(Image& target, const Window& part, const std::function<Color(int, int)>& colorOf,
-                 const RenderOptions& wanted)
-        : image(target),
-          window(part),
-          radiance(colorOf),
-          options(wanted),
+    TileRenderer(const Window& window, const std::function<Color(int, int)>& radiance,
+                 const RenderOptions& options)
+        : window(window),
+          radiance(radiance),
+          options(options),
           tileSize(std::max(1, options.tileSize)),
           columns((window.width() + tileSize - 1) / tileSize),
           tiles(columns * ((window.height() + tileSize - 1) / tileSize)),
-          squaredErrors(static_cast<std::size_t>(tiles)) {}
+          squaredErrors(static_cast<std::size_t>(tiles)),
+          result{Image(window.width(), window.height()),
+                 Image(window.width(), window.height()),
+                 {},
+                 {},
+                 {}} {}
 
-    RenderStatistics run() {
+    RenderResult run() {
+        const auto start = std::chrono::steady_clock::now();
         std::vector<std::thread> helpers;
         try {
             for (int i = 1; i < threadCount(); ++i) helpers.emplace_back([this] { work(); });
@@ -40,7 +46,15 @@ public:
         work();
         for (std::thread& helper : helpers) helper.join();
         if (failure) std::rethrow_exception(failure);
-        return {rays, static_cast<int>(helpers.size()) + 1, 0, estimatedRmse()};
+
+        const double pixels = static_cast<double>(window.width()) * window.height();
+        const int samples = std::max(1, options.samples);
+        result.estimatedRmse = estimatedRmse();
+        result.samples = static_cast<std::uint64_t>(pixels * samples * samples);
+        result.threads = static_cast<int>(helpers.size()) + 1;
+        result.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return std::move(result);
     }
 
 private:
@@ -53,7 +67,7 @@ private:
     // What one thread does: tiles, until none is left.
     void work() {
         takeRayCount();  // forgets what the calling thread traced before
-        PixelSamples samples(options.sampler, options.samples);
+        PixelSamples samples(options.pattern, options.samples);
         try {
             for (int tile = next++; tile < tiles; tile = next++) {
                 renderTile(tile, samples);
@@ -65,7 +79,7 @@ private:
             if (!failure) failure = std::current_exception();
         }
         const std::lock_guard lock(mutex);
-        rays += takeRayCount();
+        result.rays += takeRayCount();
     }
 
     void renderTile(int tile, PixelSamples& samples) {
@@ -74,10 +88,10 @@ private:
         for (int y = top; y < std::min(top + tileSize, window.y1); ++y) {
             for (int x = left; x < std::min(left + tileSize, window.x1); ++x) {
                 seedPixel(options.seed, x, y);
-                Color& pixel = image.at(x - window.x0, y - window.y0);
+                Color& pixel = result.image.at(x - window.x0, y - window.y0);
                 pixel = radiance(x, y);
                 const Color error = samples.takeError(pixel);
-                if (options.errors) options.errors->at(x - window.x0, y - window.y0) = error;
+                result.errors.at(x - window.x0, y - window.y0) = error;
                 squaredErrors[static_cast<std::size_t>(tile)] += error * error;
             }
         }
@@ -95,7 +109,6 @@ private:
         if (options.progress) options.progress(done, tiles);
     }
 
-    Image& image;
     const Window window;
     const std::function<Color(int, int)>& radiance;
     const RenderOptions& options;
@@ -103,42 +116,37 @@ private:
     const int columns;
     const int tiles;
     std::vector<double> squaredErrors;  // per tile
+    RenderResult result;                // every thread writes the pixels of its tiles
 
     std::atomic<int> next{0};
-    std::mutex mutex;  // guards what follows
+    std::mutex mutex;  // guards result.rays and what follows
     int done = 0;
-    RayCount rays;
     std::exception_ptr failure;
 };
 
 }  // namespace
 
-RenderStatistics render(Image& image, const Window& window,
-                        const std::function<Color(int x, int y)>& radiance,
-                        const RenderOptions& options) {
-    const auto start = std::chrono::steady_clock::now();
-    RenderStatistics statistics = TileRenderer(image, window, radiance, options).run();
-    statistics.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return statistics;
+RenderResult render(const Window& window, const std::function<Color(int x, int y)>& radiance,
+                    const RenderOptions& options) {
+    return TileRenderer(window, radiance, options).run();
 }
 
-RenderStatistics renderCorners(Image& image, const Window& window,
-                               const std::function<Color(int x, int y)>& radiance,
-                               const RenderOptions& options) {
+RenderResult renderCorners(const Window& window, const std::function<Color(int x, int y)>& radiance,
+                           const RenderOptions& options) {
     const Window with{window.x0, window.y0, window.x1 + 1, window.y1 + 1};
-    Image corners(with.width(), with.height());
-    RenderOptions noErrors = options;
-    noErrors.errors = nullptr;
-    const RenderStatistics statistics = render(corners, with, radiance, noErrors);
+    RenderResult result = render(with, radiance, options);
+    const Image corners = std::exchange(result.image, Image(window.width(), window.height()));
+    result.errors = Image(window.width(), window.height());
+    result.samples =
+        static_cast<std::uint64_t>(window.width()) * static_cast<std::uint64_t>(window.height());
     for (int y = 0; y < window.height(); ++y) {
         for (int x = 0; x < window.width(); ++x) {
-            image.at(x, y) = 0.25f * (corners.at(x, y) + corners.at(x + 1, y) +
-                                      corners.at(x, y + 1) + corners.at(x + 1, y + 1));
-            if (options.errors) options.errors->at(x, y) = Color(NAN, NAN, NAN);
+            result.image.at(x, y) = 0.25f * (corners.at(x, y) + corners.at(x + 1, y) +
+                                             corners.at(x, y + 1) + corners.at(x + 1, y + 1));
+            result.errors.at(x, y) = Color(NAN, NAN, NAN);
         }
     }
-    return statistics;
+    return result;
 }
 
 }  // namespace sw

@@ -5,9 +5,9 @@
 #include <mutex>
 #include <thread>
 
-#include "flatShapes.h"
-#include "shapeBlocks.h"
-#include "shapeSet.h"
+#include "accel/flatShapes.h"
+#include "accel/shapeBlocks.h"
+#include "accel/shapeSet.h"
 #include "swRayCount.h"
 
 namespace sw {
@@ -17,15 +17,7 @@ struct Scene::Content {
     using PlainSet = ShapeSet<Shape, PlainBlock, PlainBlocks<Shape>>;
 
     ShapeSet<Sphere, SphereBlock, SphereBlocks> spheres;
-    // kit >>>
-    //| // A few triangles are all asked: a mistake in their intersect() is to show in the picture.
-    //| struct EachTriangle : PlainBlock {
-    //|     using PlainBlock::PlainBlock;
-    //|     static constexpr int few = TriangleBlock::few;
-    //| };
-    //| ShapeSet<Triangle, EachTriangle, TriangleBlocks> triangles;
     ShapeSet<Triangle, TriangleBlock, TriangleBlocks> triangles;
-    // <<<
     PlainSet<Cone> cones;
     PlainSet<Patch> patches;
     PlainSet<std::shared_ptr<Primitive>> others;
@@ -113,11 +105,11 @@ void Scene::prepare() const {
 SceneParts Scene::parts() const {
     prepare();
     const Content& c = *content;
-    return {c.spheres.size(),
-            c.triangles.size(),
-            c.cones.size(),
-            c.patches.size(),
-            c.others.size(),
+    return {{{"spheres", c.spheres.size()},
+             {"triangles", c.triangles.size()},
+             {"cones", c.cones.size()},
+             {"patches", c.patches.size()},
+             {"other", c.others.size()}},
             c.spheres.hasTree() || c.triangles.hasTree() || c.cones.hasTree() ||
                 c.patches.hasTree() || c.others.hasTree()};
 }

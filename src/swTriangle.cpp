@@ -1,10 +1,5 @@
 #include "swTriangle.h"
 
-// task 2, formulas >>>
-//| #include "todo.h"
-//|
-//| namespace sw {
-//|
 #include <algorithm>
 
 #include "swNumerics.h"
@@ -87,13 +82,7 @@ float sumOfAbs(const dvec3& v) {
 
 }  // namespace
 
-// <<<
 bool Triangle::intersect(const Ray& ray, Intersection& hit) const {
-    // task 2 >>>
-    //| // TODO 2, ray-triangle intersection: where does the ray meet the plane of the vertices? Is
-    //| // that t between ray.minT and ray.maxT, and the point inside the triangle? If so, fill in
-    //| // hit: hitT, position, normal (turned against the ray), frontFacing, material and ray.
-    //| return todo::intersect(*this, ray, hit);
     const Projection project(ray);
     const Projected a = project(vertices[0]);
     const Projected b = project(vertices[1]);
@@ -127,7 +116,6 @@ bool Triangle::intersect(const Ray& ray, Intersection& hit) const {
     hit.ray = ray;
     hit.positionError = num::surfaceError(hit.position, sumOfAbs(e1) + sumOfAbs(e2));
     return true;
-    // <<<
 }
 
 Bounds Triangle::bounds() const {

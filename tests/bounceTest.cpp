@@ -1,7 +1,7 @@
-#include "lab.h"
 #include "support.h"
 #include "swRayCount.h"
 #include "testScenes.h"
+#include "tools/common/mainFunctions.h"
 
 // How often rays are reflected and refracted, and where they then go.
 
@@ -12,7 +12,7 @@ namespace {
 
 Color traced(const Ray& ray, const Scene& scene, int depth, RayCount& count) {
     takeRayCount();
-    const Color color = traceRay(ray, scene, depth);
+    const Color color = lab::traceRay(ray, scene, depth);
     count = takeRayCount();
     return color;
 }
@@ -92,7 +92,7 @@ TEST_CASE("a glass slab shows the background undistorted") {
     const Ray ray(Vec3(0, 0, d[2] > 0 ? -1.f : thickness + 1), d);
     RayCount count;
     CAPTURE(thickness, index, d);
-    CHECK(distance(traceRay(ray, scene, 1), Vec3(0, 0, 0)) == 0);  // still inside
+    CHECK(distance(lab::traceRay(ray, scene, 1), Vec3(0, 0, 0)) == 0);  // still inside
     rays->rays.clear();
     CHECK(distance(traced(ray, scene, 2, count), scene.background()) < 1e-6);
     CHECK(count[RayKind::refracted] == 2);
@@ -115,7 +115,7 @@ TEST_CASE("light that is totally reflected inside a slab does not leave it") {
     scene.push(rays);
     const int depth = GENERATE(range(0, 6));
     // From inside, at 45 degrees: beyond the critical angle of 41.8.
-    traceRay(Ray(Vec3(-6, 0, 0.5f), Vec3(1, 0, 1)), scene, depth);
+    lab::traceRay(Ray(Vec3(-6, 0, 0.5f), Vec3(1, 0, 1)), scene, depth);
     REQUIRE(rays->rays.size() == static_cast<unsigned>(depth + 1));
     for (int i = 0; i <= depth; ++i) {
         const Ray& ray = rays->rays[static_cast<unsigned>(i)];

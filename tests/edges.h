@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "support.h"
-#include "swSampler.h"
+#include "swSamplePattern.h"
 #include "swSampling.h"
 
 /// Pixels that a straight edge cuts, with their exact mean: pictures without rays.
@@ -38,24 +38,24 @@ inline Edge randomEdge(Random& random) {
 constexpr int edges = 20000;
 
 /// The RMSE of the means of n x n samples over many such pixels.
-inline double edgeRmse(sw::Sampler sampler, int n) {
+inline double edgeRmse(sw::SamplePattern pattern, int n) {
     Random random(1);
     double squares = 0;
     for (int i = 0; i < edges; ++i) {
         const Edge edge = randomEdge(random);
         sw::seedPixel(7, i, n);
         const auto gray = [&](float x, float y) { return sw::Color(edge(x, y), 0, 0); };
-        const double mean = sw::samplePixelWith(sampler, 0, 0, n, gray)[0];
+        const double mean = sw::samplePixelWith(pattern, 0, 0, n, gray)[0];
         squares += (mean - edge.area()) * (mean - edge.area());
     }
     return std::sqrt(squares / edges);
 }
 
 /// Least squares: the slope of log RMSE over the logarithm of the number of samples.
-inline double fittedSlope(sw::Sampler sampler, const std::vector<int>& sides) {
+inline double fittedSlope(sw::SamplePattern pattern, const std::vector<int>& sides) {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (const int n : sides) {
-        const double x = std::log(n * n), y = std::log(edgeRmse(sampler, n));
+        const double x = std::log(n * n), y = std::log(edgeRmse(pattern, n));
         sx += x;
         sy += y;
         sxx += x * x;

@@ -37,9 +37,7 @@ RenderOptions with(int threads, int tileSize = 16, std::uint64_t seed = 1) {
 
 Image rendered(const Window& window, const std::function<Color(int, int)>& radiance,
                const RenderOptions& options = {}) {
-    Image image(window.width(), window.height());
-    render(image, window, radiance, options);
-    return image;
+    return render(window, radiance, options).image;
 }
 
 // Pixels of the window in which the part differs in any bit from the whole.
@@ -187,15 +185,14 @@ TEST_CASE("statistics hold every ray of every thread and no other") {
         scene.intersect(Ray({}, direction), found);
         return Color();
     };
-    Image image(60, 40);
-    const RenderStatistics statistics = render(image, {0, 0, 60, 40}, radiance, with(threads));
-    CHECK(statistics.rays[RayKind::primary] == 60 * 40);
-    CHECK(statistics.rays.primaryHits == 60 * 20);
-    CHECK(statistics.rays[RayKind::shadow] == 60 * 40);
-    CHECK(statistics.rays[RayKind::other] == 60 * 40);
-    CHECK(statistics.rays[RayKind::reflected] == 0);
-    CHECK(statistics.rays[RayKind::refracted] == 0);
-    CHECK(statistics.rays.total() == 3 * 60 * 40);
+    const RenderResult result = render({0, 0, 60, 40}, radiance, with(threads));
+    CHECK(result.rays[RayKind::primary] == 60 * 40);
+    CHECK(result.rays.hitsOf(RayKind::primary) == 60 * 20);
+    CHECK(result.rays[RayKind::shadow] == 60 * 40);
+    CHECK(result.rays[RayKind::other] == 60 * 40);
+    CHECK(result.rays[RayKind::reflected] == 0);
+    CHECK(result.rays[RayKind::refracted] == 0);
+    CHECK(result.rays.total() == 3 * 60 * 40);
 }
 
 TEST_CASE("statistics tell the threads that took part and the wall time") {
@@ -203,12 +200,11 @@ TEST_CASE("statistics tell the threads that took part and the wall time") {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         return Color();
     };
-    Image image(4, 1);
-    const RenderStatistics statistics = render(image, {0, 0, 4, 1}, slow, with(4, 1));
-    CHECK(statistics.threads == 4);
-    CHECK(statistics.seconds >= 0.02);
+    const RenderResult result = render({0, 0, 4, 1}, slow, with(4, 1));
+    CHECK(result.threads == 4);
+    CHECK(result.seconds >= 0.02);
     // A picture of one tile gives one thread something to do.
-    CHECK(render(image, {0, 0, 4, 1}, position, with(4)).threads == 1);
+    CHECK(render({0, 0, 4, 1}, position, with(4)).threads == 1);
 }
 
 TEST_CASE("several threads work at the same time") {

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "lab.h"
 #include "support.h"
 #include "swRayCount.h"
 #include "swSampling.h"
 #include "testScenes.h"
+#include "tools/common/mainFunctions.h"
 
 using namespace sw;
 using namespace test;
@@ -35,7 +35,7 @@ std::vector<Point> samplePoints(int x, int y, int n) {
     const auto rays = std::make_shared<Recorder>();
     Scene scene;
     scene.push(rays);
-    samplePixel(static_cast<float>(x), static_cast<float>(y), n, 3, frontCamera(), scene);
+    lab::samplePixel(static_cast<float>(x), static_cast<float>(y), n, 3, frontCamera(), scene);
     std::vector<Point> points;
     for (const Ray& ray : rays->rays) {
         const Point p = inPicture(ray);
@@ -119,7 +119,7 @@ TEST_CASE("the mean of a constant is the constant") {
     scene.setBackground(sky);
     seedPixel(1, 2, 3);
     CAPTURE(n);
-    CHECK(distance(samplePixel(2, 3, n, 3, frontCamera(), scene), sky) <= (n * n + 2) * u * 5);
+    CHECK(distance(lab::samplePixel(2, 3, n, 3, frontCamera(), scene), sky) <= (n * n + 2) * u * 5);
 }
 
 TEST_CASE("all cells weigh the same") {
@@ -133,7 +133,7 @@ TEST_CASE("all cells weigh the same") {
     scene.push(Triangle(upper ? across : upright, Material(Color(1, 1, 1))));
     for (unsigned seed = 0; seed < 50; ++seed) {
         seedPixel(seed, 2, 1);
-        const Color mean = samplePixel(2, 1, n, 3, frontCamera(), scene);
+        const Color mean = lab::samplePixel(2, 1, n, 3, frontCamera(), scene);
         CAPTURE(n, seed);
         CHECK(distance(mean, dvec3(0.5, 1, 2)) < 1e-5);
     }
@@ -163,6 +163,6 @@ TEST_CASE("the depth is handed on to every sample") {
     scene.push(Sphere(Vec3(0, 0, 0), 5, Material(Color(1, 1, 1), 1)));
     seedPixel(1, 0, 0);
     takeRayCount();
-    samplePixel(0, 0, n, depth, frontCamera(), scene);
+    lab::samplePixel(0, 0, n, depth, frontCamera(), scene);
     CHECK(takeRayCount()[RayKind::reflected] == static_cast<unsigned>(n * n * depth));
 }

@@ -158,7 +158,7 @@ TEST_CASE("every query counts as one ray of its kind") {
     }
     const RayCount count = takeRayCount();
     CHECK(count[RayKind::primary] == 4);
-    CHECK(count.primaryHits == 2);
+    CHECK(count.hitsOf(RayKind::primary) == 2);
     CHECK(count[RayKind::shadow] == 2);
     CHECK(count.total() == 6);
     CHECK(takeRayCount().total() == 0);

@@ -1,7 +1,7 @@
-#include "lab.h"
 #include "support.h"
 #include "swRayCount.h"
 #include "testScenes.h"
+#include "tools/common/mainFunctions.h"
 
 using namespace sw;
 using namespace test;
@@ -31,7 +31,7 @@ struct Traced {
 };
 Traced trace(const Ray& ray, const Scene& scene, int depth) {
     takeRayCount();
-    const Color color = traceRay(ray, scene, depth);
+    const Color color = lab::traceRay(ray, scene, depth);
     return {color, takeRayCount()};
 }
 
@@ -48,12 +48,12 @@ public:
 
 TEST_CASE("a ray that hits nothing brings back the background") {
     Scene scene;
-    CHECK(distance(traceRay(downwards, scene, 3), Vec3(0, 0, 0)) == 0);
+    CHECK(distance(lab::traceRay(downwards, scene, 3), Vec3(0, 0, 0)) == 0);
     scene.setBackground(Color(0.25f, 0.5f, 2));
-    CHECK(distance(traceRay(downwards, scene, 3), Vec3(0.25f, 0.5f, 2)) == 0);
-    CHECK(distance(traceRay(downwards, scene, 0), Vec3(0.25f, 0.5f, 2)) == 0);
+    CHECK(distance(lab::traceRay(downwards, scene, 3), Vec3(0.25f, 0.5f, 2)) == 0);
+    CHECK(distance(lab::traceRay(downwards, scene, 0), Vec3(0.25f, 0.5f, 2)) == 0);
     scene.push(tile(0, white));
-    CHECK(distance(traceRay(downwards, scene, 3), Vec3(0, 0, 0)) == 0);  // unlit
+    CHECK(distance(lab::traceRay(downwards, scene, 3), Vec3(0, 0, 0)) == 0);  // unlit
 }
 
 TEST_CASE("scattered light follows Lambert's cosine") {
@@ -67,7 +67,7 @@ TEST_CASE("scattered light follows Lambert's cosine") {
         const Scene scene = litFloor(white, Light(num::toFloat(lamp)));
         const Vec3 eye(random.real(-5, 5), random.real(-5, 5), random.real(1, 5));
         CAPTURE(degrees, around, far, eye);
-        const Color color = traceRay(Ray(eye, -eye), scene, 3);  // whoever looks at the origin
+        const Color color = lab::traceRay(Ray(eye, -eye), scene, 3);  // whoever looks at the origin
         CHECK(distance(color, std::cos(angle) * dvec3(1)) < 4e-6);
     }
 }
@@ -85,18 +85,20 @@ TEST_CASE("light behind the surface gives nothing") {
     Scene ghostly;
     ghostly.push(std::make_shared<Ghost>(0.f, white));
     ghostly.push(Light(lamp));
-    CHECK(distance(traceRay(slanted, ghostly, 3), Vec3(0, 0, 0)) == 0);
+    CHECK(distance(lab::traceRay(slanted, ghostly, 3), Vec3(0, 0, 0)) == 0);
 }
 
 TEST_CASE("the side that is seen is the side that is lit") {
     Scene scene = litFloor(white, Light(Vec3(0, 0, -8)));
-    CHECK(distance(traceRay(downwards, scene, 3), Vec3(0, 0, 0)) == 0);
-    CHECK(distance(traceRay(Ray(Vec3(0, 0, -9), Vec3(0, 0, 1)), scene, 3), white.color) < 1e-6);
+    CHECK(distance(lab::traceRay(downwards, scene, 3), Vec3(0, 0, 0)) == 0);
+    CHECK(distance(lab::traceRay(Ray(Vec3(0, 0, -9), Vec3(0, 0, 1)), scene, 3), white.color) <
+          1e-6);
     Scene inside;
     inside.push(Sphere(Vec3(0, 0, 0), 5, white));
     inside.push(Light(Vec3(0, 0, 1)));
-    CHECK(distance(traceRay(Ray(Vec3(0, 0, 0), Vec3(0, 0, -1)), inside, 3), white.color) < 1e-6);
-    CHECK(distance(traceRay(downwards, inside, 3), Vec3(0, 0, 0)) == 0);
+    CHECK(distance(lab::traceRay(Ray(Vec3(0, 0, 0), Vec3(0, 0, -1)), inside, 3), white.color) <
+          1e-6);
+    CHECK(distance(lab::traceRay(downwards, inside, 3), Vec3(0, 0, 0)) == 0);
 }
 
 TEST_CASE("coloured lights add up on a coloured surface") {
@@ -115,7 +117,7 @@ TEST_CASE("coloured lights add up on a coloured surface") {
         scene.push(light);
         expected += std::max(0.0, cosine) * toDouble(paint) * toDouble(light.color);
     }
-    CHECK(distance(traceRay(slanted, scene, 0), expected) < 1e-5);
+    CHECK(distance(lab::traceRay(slanted, scene, 0), expected) < 1e-5);
 }
 
 TEST_CASE("what stands between point and light casts a shadow and nothing else does") {
@@ -126,17 +128,17 @@ TEST_CASE("what stands between point and light casts a shadow and nothing else d
     const Ray ray(Vec3(-3, 0, 3), Vec3(1, 0, -1));
     const double cosine = between ? 0 : 6 / std::sqrt(45.0);
     CAPTURE(z);
-    CHECK(distance(traceRay(ray, scene, 3), dvec3(cosine)) < 1e-6);
+    CHECK(distance(lab::traceRay(ray, scene, 3), dvec3(cosine)) < 1e-6);
 }
 
 TEST_CASE("a shadowed mirror still reflects") {
     const Color sky(0.25f, 0.5f, 1);
     Scene scene = litFloor(Material(Color(1, 0, 0), 0.75f), Light(Vec3(0, 0, 8)));
     scene.setBackground(sky);
-    CHECK(distance(traceRay(slanted, scene, 1), Color(0.25f, 0, 0) + 0.75f * sky) < 1e-6);
+    CHECK(distance(lab::traceRay(slanted, scene, 1), Color(0.25f, 0, 0) + 0.75f * sky) < 1e-6);
     scene.push(Sphere(Vec3(0, 0, 4), 1, white));
-    CHECK(distance(traceRay(slanted, scene, 1), 0.75f * sky) < 1e-6);
-    CHECK(distance(traceRay(slanted, scene, 0), Vec3(0, 0, 0)) == 0);
+    CHECK(distance(lab::traceRay(slanted, scene, 1), 0.75f * sky) < 1e-6);
+    CHECK(distance(lab::traceRay(slanted, scene, 0), Vec3(0, 0, 0)) == 0);
 }
 
 TEST_CASE("scattered and reflected and refracted light have their weights") {
@@ -149,9 +151,9 @@ TEST_CASE("scattered and reflected and refracted light have their weights") {
     scene.setBackground(Color(0, 1, 0));
     const double rest = 1 - static_cast<double>(r) - static_cast<double>(t);
     CAPTURE(r, t);
-    CHECK(distance(traceRay(slanted, scene, 0), dvec3(0, 0, rest)) < 1e-6);
+    CHECK(distance(lab::traceRay(slanted, scene, 0), dvec3(0, 0, rest)) < 1e-6);
     for (const int depth : {1, 2, 10})
-        CHECK(distance(traceRay(slanted, scene, depth), dvec3(t, r, rest)) < 1e-6);
+        CHECK(distance(lab::traceRay(slanted, scene, depth), dvec3(t, r, rest)) < 1e-6);
 }
 
 TEST_CASE("no shadow ray is cast where its light would not count") {

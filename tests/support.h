@@ -8,6 +8,7 @@
 #include <random>
 
 #include "catch.h"
+#include "swIntersection.h"
 #include "swNumerics.h"
 #include "swVec3.h"
 

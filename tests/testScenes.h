@@ -71,4 +71,11 @@ inline sw::Triangle tile(float z, const sw::Material& material) {
     return {corners, material};
 }
 
+/// How many primitives of a kind are in a scene.
+inline std::size_t countOf(const sw::Scene& scene, const std::string& kind) {
+    for (const auto& [name, count] : scene.parts().counts)
+        if (name == kind) return count;
+    return 0;
+}
+
 }  // namespace test

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mirrors.h"
+#include "lab/mirrors.h"
 
 namespace lab {
 

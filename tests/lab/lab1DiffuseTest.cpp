@@ -2,9 +2,9 @@
 #include <memory>
 #include <vector>
 
-#include "lab.h"
-#include "matte.h"
-#include "teach.h"
+#include "lab/matte.h"
+#include "lab/teach.h"
+#include "tools/common/mainFunctions.h"
 
 using namespace sw;
 
@@ -75,7 +75,7 @@ Color look(const Shown& shown, const std::vector<Light>& lights) {
     scene.push(std::make_shared<Spot>(shown.where, shown.eye, shown.color));
     for (const Light& light : lights) scene.push(light);
     Vec3 along = shown.where - shown.eye;
-    return traceRay(Ray(shown.eye, along.normalize()), scene, 0);
+    return lab::traceRay(Ray(shown.eye, along.normalize()), scene, 0);
 }
 
 bool same(const Color& a, const Color& b) {

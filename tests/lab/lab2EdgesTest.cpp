@@ -1,7 +1,7 @@
 #include <array>
 #include <utility>
 
-#include "triangles.h"
+#include "lab/triangles.h"
 
 using namespace lab;
 using namespace sw;

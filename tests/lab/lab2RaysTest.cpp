@@ -1,8 +1,8 @@
 #include <cfloat>
 #include <cmath>
 
-#include "photo.h"
-#include "triangles.h"
+#include "lab/photo.h"
+#include "lab/triangles.h"
 
 using namespace lab;
 using namespace sw;

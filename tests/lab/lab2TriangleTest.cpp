@@ -1,7 +1,7 @@
 #include <cmath>
 #include <functional>
 
-#include "triangles.h"
+#include "lab/triangles.h"
 
 using namespace lab;
 using namespace sw;

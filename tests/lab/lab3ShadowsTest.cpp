@@ -1,4 +1,4 @@
-#include "lampAndFloor.h"
+#include "lab/lampAndFloor.h"
 
 using namespace lab;
 using namespace sw;

@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "lampAndFloor.h"
-#include "photo.h"
+#include "lab/lampAndFloor.h"
+#include "lab/photo.h"
 
 using namespace lab;
 using namespace sw;

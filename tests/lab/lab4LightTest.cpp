@@ -1,5 +1,5 @@
-#include "mirrors.h"
-#include "photo.h"
+#include "lab/mirrors.h"
+#include "lab/photo.h"
 
 using namespace lab;
 using namespace sw;

@@ -1,4 +1,4 @@
-#include "mirrors.h"
+#include "lab/mirrors.h"
 
 using namespace lab;
 using namespace sw;

@@ -1,5 +1,5 @@
-#include "bend.h"
-#include "photo.h"
+#include "lab/bend.h"
+#include "lab/photo.h"
 
 using namespace lab;
 using namespace sw;

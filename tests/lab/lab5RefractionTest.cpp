@@ -1,4 +1,4 @@
-#include "bend.h"
+#include "lab/bend.h"
 
 using namespace lab;
 using namespace sw;

@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "samples.h"
+#include "lab/samples.h"
 
 using namespace lab;
 using namespace sw;

@@ -1,4 +1,4 @@
-#include "samplePlaces.h"
+#include "lab/samplePlaces.h"
 
 using namespace lab;
 using namespace sw;

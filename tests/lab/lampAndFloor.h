@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "lab.h"
-#include "matte.h"
-#include "teach.h"
+#include "lab/matte.h"
+#include "lab/teach.h"
+#include "tools/common/mainFunctions.h"
 
 /// What the tests of task 3 share.
 namespace lab {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lab.h"
+#include "lab/teach.h"
 #include "support.h"
-#include "teach.h"
+#include "tools/common/mainFunctions.h"
 
 /// What the tests of reflection, refraction and supersampling have in common. Their scenes have a
 /// bright sky and (nearly always) no lights, so that shading and shadows play no part in them.

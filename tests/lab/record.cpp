@@ -1,4 +1,4 @@
-#include "record.h"
+#include "lab/record.h"
 
 #include <algorithm>
 #include <charconv>

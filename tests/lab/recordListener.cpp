@@ -5,8 +5,8 @@
 #include <exception>
 #include <iostream>
 
-#include "../catch.h"
-#include "record.h"
+#include "catch.h"
+#include "lab/record.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samples.h"
+#include "lab/samples.h"
 
 /// What is wrong with the places of samples.
 namespace lab {

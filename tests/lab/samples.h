@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mirrors.h"
+#include "lab/mirrors.h"
 #include "swSampling.h"
 
 /// Where in a pixel the student's samplePixel() takes its samples.

@@ -1,4 +1,4 @@
-#include "teach.h"
+#include "lab/teach.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "record.h"
+#include "lab/record.h"
 #include "swFile.h"
 
 namespace lab {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "../catch.h"
+#include "catch.h"
 #include "swImage.h"
 #include "swRay.h"
 #include "swScene.h"

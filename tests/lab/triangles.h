@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "lab/teach.h"
 #include "swTriangle.h"
-#include "teach.h"
 
 /// What the tests of task 2 share. They call Triangle::intersect() itself, not through a scene.
 namespace lab {

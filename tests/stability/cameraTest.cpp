@@ -3,8 +3,8 @@
 // the rays must agree to the rounding of their three floats. Closer to parallel the picture may be
 // turned about the view, but must still be a picture: see the second test.
 
-#include "cases.h"
-#include "exact.h"
+#include "stability/cases.h"
+#include "stability/exact.h"
 #include "swCamera.h"
 
 using namespace sw;

@@ -5,8 +5,8 @@
 // between the two lies every right answer. Where only the outer one is hit, hit and miss are both
 // right; so they are within delta of the ends.
 
-#include "coneCases.h"
-#include "exact.h"
+#include "stability/coneCases.h"
+#include "stability/exact.h"
 
 using namespace sw;
 using namespace test;

@@ -10,8 +10,8 @@
 
 #include <algorithm>
 
-#include "cases.h"
-#include "meshes.h"
+#include "stability/cases.h"
+#include "stability/meshes.h"
 
 using namespace sw;
 using namespace test;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "randomScenes.h"
-#include "sphereCases.h"
-#include "triangleCases.h"
+#include "stability/randomScenes.h"
+#include "stability/sphereCases.h"
+#include "stability/triangleCases.h"
 
 using namespace sw;
 using namespace test;

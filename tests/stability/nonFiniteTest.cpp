@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "randomScenes.h"
+#include "stability/randomScenes.h"
 
 using namespace sw;
 using namespace test;

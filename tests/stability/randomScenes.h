@@ -4,7 +4,7 @@
 #include <typeinfo>
 #include <vector>
 
-#include "cases.h"
+#include "stability/cases.h"
 #include "swScene.h"
 
 namespace test {

@@ -1,11 +1,11 @@
-// traceRay() to depth 1000, the most that the command line allows: no overflow of the stack, no
-// NaN, no negative channel. A path splits where a surface both mirrors and refracts, so the deep
+// lab::traceRay() to depth 1000, the most that the command line allows: no overflow of the stack,
+// no NaN, no negative channel. A path splits where a surface both mirrors and refracts, so the deep
 // scenes do one or the other; scenes with both are traced to depth 6.
 
 #include <thread>
 
-#include "lab.h"
-#include "randomScenes.h"
+#include "stability/randomScenes.h"
+#include "tools/common/mainFunctions.h"
 
 using namespace sw;
 using namespace test;
@@ -68,7 +68,7 @@ void checkColors(int depth, MakeScene makeScene) {
     checkRandomCases(familySize, [&](Random& random) {
         const Scene scene = makeScene(random);
         const Ray ray(random.point(10), random.direction());
-        return judge(traceRay(ray, scene, random.whole(0, 3) == 0 ? depth : depth / 20), ray);
+        return judge(lab::traceRay(ray, scene, random.whole(0, 3) == 0 ? depth : depth / 20), ray);
     });
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("depth 1000 fits the stack of a thread") {
     std::thread([&] {
         Scene scene;
         scene.push(Sphere({0, 0, 0}, 1, Material({1, 1, 1}, 1)));
-        color = traceRay(Ray({0.5f, 0, 0}, {0.6f, 0.8f, 0}), scene, 1000);
+        color = lab::traceRay(Ray({0.5f, 0, 0}, {0.6f, 0.8f, 0}), scene, 1000);
     }).join();
     CHECK(distance(color, Vec3(0, 0, 0)) == 0);
 }

@@ -5,8 +5,8 @@
 // precision can miss within a few 2^-53 of 0 and must not miss beyond 2^-48. Rounded inputs need no
 // band.
 
-#include "cases.h"
-#include "exact.h"
+#include "stability/cases.h"
+#include "stability/exact.h"
 #include "swIntersection.h"
 
 using namespace sw;

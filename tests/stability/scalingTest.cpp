@@ -1,12 +1,12 @@
 // A scene scaled by a power of two is the same scene: floats and doubles scale exactly, and nothing
 // in the library is an absolute length. So decisions are the same and positions scale to the bit.
 
-#include "lab.h"
-#include "randomScenes.h"
-#include "scaledNff.h"
+#include "stability/randomScenes.h"
+#include "stability/scaledNff.h"
 #include "swImage.h"
 #include "swNff.h"
 #include "swSampling.h"
+#include "tools/common/mainFunctions.h"
 
 using namespace sw;
 using namespace test;
@@ -75,8 +75,8 @@ Image render(float factor) {
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             seedPixel(1, x, y);
-            image.at(x, y) = samplePixel(static_cast<float>(x), static_cast<float>(y), 3, 5,
-                                         lab.camera, lab.scene);
+            image.at(x, y) = lab::samplePixel(static_cast<float>(x), static_cast<float>(y), 3, 5,
+                                              lab.camera, lab.scene);
         }
     }
     return image;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cases.h"
-#include "exact.h"
+#include "stability/cases.h"
+#include "stability/exact.h"
 
 namespace test {
 

@@ -3,8 +3,8 @@
 // inside, or leaves through an open end. Where the cone is thinner than the step off its surface
 // there is no inside to start in.
 
-#include "coneCases.h"
-#include "spawn.h"
+#include "stability/coneCases.h"
+#include "stability/spawn.h"
 
 using namespace sw;
 using namespace test;

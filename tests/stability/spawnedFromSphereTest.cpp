@@ -3,8 +3,8 @@
 // how close the exact segment from there to the light comes to the centre. Only where that is
 // within shadowMargin of the radius may the answer be either.
 
-#include "spawn.h"
-#include "sphereCases.h"
+#include "stability/spawn.h"
+#include "stability/sphereCases.h"
 
 using namespace sw;
 using namespace test;

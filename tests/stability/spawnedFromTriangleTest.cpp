@@ -3,8 +3,8 @@
 // there to the light crosses it. Where the light is within shadowMargin of the plane, or the
 // crossing that close to an edge, the answer may be either.
 
-#include "spawn.h"
-#include "triangleCases.h"
+#include "stability/spawn.h"
+#include "stability/triangleCases.h"
 
 using namespace sw;
 using namespace test;

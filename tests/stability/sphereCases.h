@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases.h"
+#include "stability/cases.h"
 
 namespace test {
 

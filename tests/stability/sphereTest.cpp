@@ -5,8 +5,8 @@
 //     entry = s - sqrt(r^2 - p^2),  exit = s + sqrt(r^2 - p^2)
 // follow the intervals below. Within delta of p = r, hit and miss are both right.
 
-#include "exact.h"
-#include "sphereCases.h"
+#include "stability/exact.h"
+#include "stability/sphereCases.h"
 
 using namespace sw;
 using namespace test;

@@ -2,7 +2,7 @@
 // default must keep the rays that leave them from hitting them again, at every scale, as long as
 // the ray came from no farther than some 30 times the primitive's size (see statedOrDefaultError).
 
-#include "cases.h"
+#include "stability/cases.h"
 #include "swIntersection.h"
 #include "swPrimitive.h"
 

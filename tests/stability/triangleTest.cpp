@@ -9,8 +9,8 @@
 // edge)^2 / area as the ray sees them, up to the 8u D that the issue grants. A triangle that looks
 // narrower than 64 delta may be tilted as well: its hit lies between its corners' distances.
 
-#include "exact.h"
-#include "triangleCases.h"
+#include "stability/exact.h"
+#include "stability/triangleCases.h"
 
 using namespace sw;
 using namespace test;

@@ -5,11 +5,11 @@
 int main() {
     sw::Scene scene;
     scene.push(sw::Sphere(sw::Vec3(0, 0, -5), 1, sw::Material(sw::Color(0.5f, 1, 0.25f))));
-    sw::Image image(1, 1);
-    sw::render(image, {0, 0, 1, 1}, [&](int, int) {
+    const sw::RenderResult result = sw::render({0, 0, 1, 1}, [&](int, int) {
         sw::Intersection hit;
         const sw::Ray ray(sw::Vec3(0, 0, 0), sw::Vec3(0, 0, -1));
         return scene.intersect(ray, hit) ? hit.material.color * hit.hitT : sw::Color();
     });
-    return image.at(0, 0)[0] == 2 && image.at(0, 0)[1] == 4 ? 0 : 1;
+    const sw::Color& color = result.image.at(0, 0);
+    return color[0] == 2 && color[1] == 4 ? 0 : 1;
 }

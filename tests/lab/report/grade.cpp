@@ -1,13 +1,13 @@
-#include "grade.h"
+#include "lab/report/grade.h"
 
 #include <algorithm>
 #include <cstdint>
-
-#include "json.h"
+#include <nlohmann/json.hpp>
 
 namespace lab {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using State = Outcome::State;
 
 bool passed(const Outcome& outcome) {
@@ -23,15 +23,14 @@ std::string verdict(const Outcome& outcome) {
     return outcome.state == State::crashed ? "crashed" : "failed";
 }
 
-std::string failures(const Task& task) {
-    std::string json;
+Json failures(const Task& task) {
+    Json list = Json::array();
     for (const Outcome& outcome : task.outcomes)
         if (!passed(outcome))
-            json += std::string(json.empty() ? "" : ",") +
-                    "\n      {\"test\": " + jsonString(outcome.record.test) + ", \"verdict\": \"" +
-                    verdict(outcome) +
-                    "\", \"hint\": " + jsonString(hasRun(outcome) ? outcome.record.hint : "") + "}";
-    return "[" + json + (json.empty() ? "]" : "\n    ]");
+            list.push_back({{"test", outcome.record.test},
+                            {"verdict", verdict(outcome)},
+                            {"hint", hasRun(outcome) ? outcome.record.hint : ""}});
+    return list;
 }
 
 int countOf(const Task& task, bool (*property)(const Outcome&)) {
@@ -44,30 +43,28 @@ int pointsOf(const Task& task, int of) {
     return task.size() == 0 ? 0 : static_cast<int>(product / task.size());
 }
 
-std::string field(const std::string& key, int value) {
-    return "\"" + key + "\": " + std::to_string(value);
-}
-
-std::string objectOf(const Task& task, int of) {
-    const bool any = countOf(task, hasRun) > 0;
-    return "    {\"label\": " + jsonString(task.label) + ", \"title\": " + jsonString(task.title) +
-           ", " + field("passed", countOf(task, passed)) + ", " + field("tests", task.size()) +
-           ", " + field("points", pointsOf(task, of)) + ", " + field("of", of) +
-           (any ? "" : ", \"note\": \"not run\"") + ",\n    \"failed\": " + failures(task) + "}";
+Json objectOf(const Task& task, int of) {
+    Json object{
+        {"label", task.label},  {"title", task.title},          {"passed", countOf(task, passed)},
+        {"tests", task.size()}, {"points", pointsOf(task, of)}, {"of", of}};
+    if (countOf(task, hasRun) == 0) object["note"] = "not run";
+    object["failed"] = failures(task);
+    return object;
 }
 
 }  // namespace
 
 std::string grade(const std::vector<Task>& tasks, const std::vector<int>& points) {
-    std::string objects;
+    Json objects = Json::array();
     int total = 0, possible = 0;
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-        objects += (i == 0 ? "" : ",\n") + objectOf(tasks[i], points.at(i));
+        objects.push_back(objectOf(tasks[i], points.at(i)));
         total += pointsOf(tasks[i], points[i]);
         possible += points[i];
     }
-    return "{\n  \"tasks\": [\n" + objects + "\n  ],\n  " + field("total", total) + ", " +
-           field("of", possible) + "\n}\n";
+    const Json all{{"tasks", objects}, {"total", total}, {"of", possible}};
+    // Bytes that are no UTF-8 become U+FFFD.
+    return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace lab

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "results.h"
+#include "lab/report/results.h"
 
 namespace lab {
 

@@ -1,13 +1,13 @@
-#include "page.h"
+#include "lab/report/page.h"
 
-#include "pageHead.h"
-#include "pagePictures.h"
-#include "report/html.h"
+#include "lab/report/pageHead.h"
+#include "lab/report/pagePictures.h"
+#include "tools/common/html.h"
 
 namespace lab {
 namespace {
 
-using report::escaped;
+using html::escaped;
 using State = Outcome::State;
 
 constexpr const char* afterCrash =

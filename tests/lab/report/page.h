@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "results.h"
+#include "lab/report/results.h"
 
 namespace lab {
 

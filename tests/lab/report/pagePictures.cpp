@@ -1,9 +1,9 @@
-#include "pagePictures.h"
+#include "lab/report/pagePictures.h"
 
 #include <cstdint>
 
-#include "report/html.h"
 #include "swFile.h"
+#include "tools/common/html.h"
 
 namespace lab {
 namespace {
@@ -33,12 +33,11 @@ std::string ring(const PictureRecord& picture, std::uint32_t width) {
 
 std::string shot(const PictureRecord& picture, const fs::path& file, const std::string& caption) {
     try {
-        const std::string figure = report::figure(file, caption, "");
+        const std::string figure = html::figure(file, caption, "");
         return "<div class=\"shot\">" + ring(picture, widthOf(sw::readFile(file))) + figure +
                "</div>\n";
     } catch (const sw::FileError&) {
-        return "<div class=\"shot\">" + report::escaped(caption) +
-               ": the picture is missing</div>\n";
+        return "<div class=\"shot\">" + html::escaped(caption) + ": the picture is missing</div>\n";
     }
 }
 
@@ -58,7 +57,7 @@ std::string picturesOf(const Record& record, const fs::path& records) {
                 shot(picture, records / picture.expected, "expected") +
                 shot(picture, records / picture.got, "yours") +
                 shot(picture, records / picture.difference, "difference, amplified") +
-                "</div>\n<p class=\"quiet\">" + report::escaped(picture.name) + ": " +
+                "</div>\n<p class=\"quiet\">" + html::escaped(picture.name) + ": " +
                 largestError(picture) + "</p>\n";
     return html;
 }

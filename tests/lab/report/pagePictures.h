@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "../record.h"
+#include "lab/record.h"
 
 namespace lab {
 

@@ -1,4 +1,4 @@
-#include "reportProgram.h"
+#include "lab/report/reportProgram.h"
 
 #include <algorithm>
 #include <charconv>
@@ -10,8 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "grade.h"
-#include "page.h"
+#include "lab/report/grade.h"
+#include "lab/report/page.h"
 #include "swFile.h"
 
 namespace lab {

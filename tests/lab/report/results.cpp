@@ -1,4 +1,4 @@
-#include "results.h"
+#include "lab/report/results.h"
 
 #include <algorithm>
 

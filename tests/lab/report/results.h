@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "../record.h"
+#include "lab/record.h"
 
 /// How far a student is: what the records say of each of the six tasks.
 namespace lab {

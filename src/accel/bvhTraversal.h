@@ -1,0 +1,214 @@
+#pragma once
+
+// How a ray finds its way through a Bvh. A header because the leaf test is compiled into the loop.
+//
+// No box that a ray truly meets may be missed by rounding (Ize, Robust BVH Ray Traversal, JCGT
+// 2013). The entry into the slab between two planes is computed as (plane - origin) * (1 / dir):
+// three roundings, each by a factor within 1 +- u, u = 2^-24; so is the exit. (The form
+// plane * inv - origin * inv saves an operation where there is FMA, but its error grows with the
+// origin's distance: nearby it would cost boxes 4u |origin| thick, or a miss.) A point at t >= 0
+// inside a box has
+//     entry <= t (1 + u)^3   and   exit >= t (1 - u)^3 (1 - u) (1 + margin) >= t (1 + 8u)
+// if the exit's reciprocal is enlarged by margin = 16u, with one more rounding. Hence entry <= exit
+// for every pair of axes, exit > minT, and entry < maxT (1 + margin) even if t was rounded to
+// float before it was compared with maxT. The last product is rounded monotonically, so that all
+// of this holds when it underflows.
+//
+// A direction of +-0 has an infinite reciprocal: the products are +-inf, or NaN for an origin in
+// the plane. min() and max() below then return their second operand: the plane excludes nothing.
+// If the reciprocal of a denormal overflows, the entry uses FLT_MAX in its place (too early), the
+// exit infinity (too late). Directions beyond 2^126 have a less accurate reciprocal; no proof
+// there.
+//
+// Where minT < 0, t may be negative and a factor would work the wrong way: there the exit gets
+// |exit| margin added after the products, and FLT_MIN against underflow; the axis of an overflowed
+// reciprocal excludes nothing.
+
+#include <array>
+#include <bit>
+#include <cfloat>
+#include <cmath>
+#include <cstring>
+
+#include "accel/simd.h"
+#include "swBvh.h"
+
+namespace sw {
+namespace {  // programs and library may be compiled for different machines: no symbols to share
+
+constexpr float slabMargin = 0x1p-20f;
+
+/// A little more than t: for comparisons with distances to boxes.
+inline float widened(float t) {
+    return t + std::fabs(t) * slabMargin;
+}
+
+/// A ray, prepared for being tested against eight boxes at a time.
+/// @tparam behind  whether minT is negative
+template <bool behind>
+class RaySlabs {
+public:
+    explicit RaySlabs(const Ray& ray) : minT(simd::broadcast(ray.minT)) {
+        for (int i = 0; i < 3; ++i) {
+            const float d = ray.dir.m[i];
+            float entry = 1 / d, exit = behind ? entry : entry * (1 + slabMargin);
+            if (std::fabs(entry) > FLT_MAX && d != 0) {
+                entry = behind ? NAN : std::copysign(FLT_MAX, d);
+                if (behind) exit = NAN;
+            }
+            origin[i] = simd::broadcast(ray.orig.m[i]);
+            entryInverse[i] = simd::broadcast(entry);
+            exitInverse[i] = simd::broadcast(exit);
+            entryPlane[i] = (std::signbit(d) ? i + 3 : i) * Bvh::width;
+            exitPlane[i] = (std::signbit(d) ? i : i + 3) * Bvh::width;
+            octant |= (std::signbit(d) ? 1u : 0u) << i;
+        }
+    }
+
+    /// @param limit   an upper bound for t, widened
+    /// @param entry   receives where the ray enters each box
+    /// @return        which of the boxes it meets
+    simd::Mask meets(const Bvh::Node& node, const simd::Float& limit, simd::Float& entry) const {
+        const float* planes = node.planes[0];
+        simd::Float exit = limit;
+        entry = minT;
+        for (int i = 0; i < 3; ++i) {
+            const simd::Float enter = simd::load(planes + entryPlane[i]) - origin[i];
+            const simd::Float leave = simd::load(planes + exitPlane[i]) - origin[i];
+            entry = simd::max(enter * entryInverse[i], entry);
+            exit = simd::min(leave * exitInverse[i], exit);
+        }
+        if constexpr (behind)
+            exit =
+                exit + (simd::abs(exit) * simd::broadcast(slabMargin) + simd::broadcast(FLT_MIN));
+        return entry <= exit;
+    }
+
+    unsigned octant = 0;  ///< of the direction: bit i is set where component i is negative
+
+private:
+    simd::Float origin[3], entryInverse[3], exitInverse[3], minT;
+    std::ptrdiff_t entryPlane[3], exitPlane[3];
+};
+
+/// Asks for what will be visited soon: beyond a million primitives most of the time is spent
+/// waiting for memory.
+template <typename Leaf>
+void prefetch(const Bvh::Node* nodes, std::uint32_t child, const Leaf& leaf) {
+    if (!Bvh::isLeaf(child)) return simd::prefetch(nodes + child, sizeof(Bvh::Node));
+    if constexpr (requires { leaf.prefetch(child, child); })
+        leaf.prefetch(Bvh::leafFirst(child), Bvh::leafCount(child));
+}
+
+/// For every set of eight bits the numbers of those that are set, three bits each.
+inline constexpr auto bitNumbers = [] {
+    std::array<std::uint32_t, 1u << Bvh::width> table{};
+    for (unsigned set = 0; set < table.size(); ++set)
+        for (unsigned bit = 0, n = 0; bit < Bvh::width; ++bit)
+            if ((set >> bit & 1) != 0) table[set] |= bit << 3 * n++;
+    return table;
+}();
+
+/// Children still to be visited, the next one on top. Every level of the tree leaves at most seven
+/// of them here.
+class TraversalStack {
+public:
+    bool empty() const { return size == 0; }
+
+    std::uint32_t top(int i) const { return children[size - i]; }
+
+    /// Takes the top entry off.
+    /// @param distance  receives where the ray enters its box
+    std::uint32_t pop(float& distance) {
+        --size;
+        distance = distances[size];
+        return children[size];
+    }
+
+    /// Puts the children on the stack that are hit, the first ones in the order at the bottom.
+    /// Without branches: no processor can guess what a ray hits.
+    std::uint32_t push(const Bvh::Node& node, std::uint32_t order, const simd::Mask& hit,
+                       const simd::Float& entry) {
+#ifdef SW_SIMD_PERMUTE
+        const simd::Mask inOrder = simd::unpackNumbers(order);
+        const unsigned hits = simd::bits(simd::permute(hit, inOrder));
+        const simd::Mask chosen = simd::permute(inOrder, simd::unpackNumbers(bitNumbers[hits]));
+        simd::Mask child;
+        std::memcpy(&child, node.child, sizeof child);
+        const simd::Mask sortedChildren = simd::permute(child, chosen);
+        const simd::Float sortedDistances = simd::permute(entry, chosen);
+        std::memcpy(children + size, &sortedChildren, sizeof sortedChildren);
+        std::memcpy(distances + size, &sortedDistances, sizeof sortedDistances);
+        size += std::popcount(hits) - 1;
+        return children[size];
+#else
+        float distance[simd::lanes];
+        std::memcpy(distance, &entry, sizeof distance);
+        const unsigned hits = simd::bits(hit);
+        for (int i = 0; i < Bvh::width; ++i, order >>= 3) {
+            children[size] = node.child[order & 7];
+            distances[size] = distance[order & 7];
+            size += static_cast<int>(hits >> (order & 7) & 1);
+        }
+        return children[--size];
+#endif
+    }
+
+private:
+    // Eight are written at a time.
+    static constexpr int capacity = (Bvh::width - 1) * Bvh::maxDepth + 1 + Bvh::width;
+    std::uint32_t children[capacity];
+    float distances[capacity];
+    int size = 0;
+};
+
+template <bool behind, typename Leaf>
+Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
+    const RaySlabs<behind> slabs(ray);
+    TraversalStack stack;
+    Bvh::Cost cost;
+    float maxT = ray.maxT;
+    float limit = widened(maxT);
+    std::uint32_t child = 0;
+    for (;;) {
+        if (!Bvh::isLeaf(child)) {
+            const Bvh::Node& node = nodes[child];
+            ++cost.nodes;
+            simd::Float entry;
+            const simd::Mask hit = slabs.meets(node, simd::broadcast(limit), entry);
+            const unsigned hits = simd::bits(hit);
+            if (std::has_single_bit(hits)) {
+                child = node.child[std::countr_zero(hits)];
+                continue;
+            }
+            if (hits != 0) {
+                child = stack.push(node, node.order[slabs.octant], hit, entry);
+                for (int i = std::popcount(hits); i > 1; --i)
+                    prefetch(nodes, stack.top(i - 1), leaf);
+                continue;
+            }
+        } else {
+            cost.primitives += Bvh::leafCount(child);
+            if (leaf(Bvh::leafFirst(child), Bvh::leafCount(child), maxT)) return cost;
+            limit = widened(maxT);
+        }
+        float distance;
+        do {
+            if (stack.empty()) return cost;
+            child = stack.pop(distance);
+        } while (distance > limit);
+    }
+}
+
+}  // namespace
+
+template <typename Leaf>
+Bvh::Cost Bvh::traverse(const Ray& ray, Leaf&& leaf) const {
+    float sum = 0;  // NaN if a coordinate is infinite or NaN: such a ray meets nothing
+    for (int i = 0; i < 3; ++i) sum += 0 * ray.orig.m[i] + 0 * ray.dir.m[i];
+    if (nodes.empty() || sum != 0 || !(ray.minT < ray.maxT)) return {};
+    if (ray.minT < 0) return traverseNodes<true>(nodes.data(), ray, leaf);
+    return traverseNodes<false>(nodes.data(), ray, leaf);
+}
+
+}  // namespace sw

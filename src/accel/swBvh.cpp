@@ -1,0 +1,235 @@
+#include "swBvh.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+
+#include "accel/bvhBuild.h"
+#include "accel/bvhOrder.h"
+#include "accel/largePages.h"
+
+namespace sw {
+namespace {
+
+using namespace bvh;
+using Node = Bvh::Node;
+
+// From here on ranges are halved by number, which takes at most 10 levels: 8^10 > 2^28.
+constexpr int depthOfHalving = Bvh::maxDepth - 10;
+
+// The cost of entering a leaf, in units of testing its primitives all at once.
+constexpr float leafVisit = 0.25f;
+
+// Subtrees that may be built in threads hold at most this part of all primitives, and all trees of
+// fewer primitives than minParallel are built at once.
+constexpr std::uint32_t jobsPerTree = 4, minParallel = 1u << 14;
+
+// A subtree for another thread, and where its root has to be entered.
+struct Job {
+    Range range;
+    int depth;
+    std::uint32_t parent;
+    int slot;
+};
+
+void setBox(Node& node, int slot, const Float& box) {
+    // Beyond 2^126 the difference to a ray's origin could overflow: such planes move outwards to
+    // infinity, or inwards to 2^126 where that makes the box larger.
+    constexpr float limit = 0x1p126f;
+    float b[simd::lanes];
+    std::memcpy(b, &box, sizeof b);
+    for (int i = 0; i < 3; ++i) {
+        const float low = -b[i], high = b[i + 4];
+        node.planes[i][slot] = low < -limit ? -Bounds::infinity : std::min(low, limit);
+        node.planes[i + 3][slot] = high > limit ? Bounds::infinity : std::max(high, -limit);
+    }
+}
+
+// Boxes that no ray meets. Their children are a leaf nevertheless, with a primitive that exists.
+Node emptyNode() {
+    Node node{};
+    for (int i = 0; i < 6; ++i)
+        std::fill_n(node.planes[i], Bvh::width, i < 3 ? Bounds::infinity : -Bounds::infinity);
+    std::fill_n(node.child, Bvh::width, Bvh::leafBit);
+    return node;
+}
+
+class Builder {
+public:
+    // Ranges of at most jobSize items become jobs where there is a list for them.
+    Builder(const Splitter& s, std::uint32_t largestLeaf, std::uint32_t jobSize,
+            std::vector<Job>* jobList)
+        : splitter(s), leafSize(largestLeaf), jobLimit(jobSize), jobs(jobList) {}
+
+    std::vector<Node> nodes;
+
+    void build(const Range& range, int depth) {
+        nodes.emplace_back();
+        fillNode(0, range, depth);
+    }
+
+private:
+    struct Child {
+        Range range;
+        Splitter::Cut cut;
+        float priority;  // of being cut; negative: never
+    };
+
+    Child makeChild(const Range& range, int depth) const;
+    int cutIntoChildren(const Range& range, int depth, std::array<Child, Bvh::width>& children);
+    void fillNode(std::uint32_t index, const Range& range, int depth);
+
+    const Splitter& splitter;
+    std::uint32_t leafSize, jobLimit;
+    std::vector<Job>* jobs;
+};
+
+Builder::Child Builder::makeChild(const Range& range, int depth) const {
+    Child child{range, {}, -1};
+    if (range.count == 1) return child;
+    if (depth >= depthOfHalving) {
+        if (range.count > leafSize) child.priority = static_cast<float>(range.count);
+        return child;
+    }
+    const float area = splitter.area(range);
+    child.cut = splitter.findCut(range);
+    if (range.count > leafSize ||
+        child.cut.cost + leafVisit * area < area * splitter.cost(range.count))
+        child.priority = area;
+    return child;
+}
+
+int Builder::cutIntoChildren(const Range& range, int depth,
+                             std::array<Child, Bvh::width>& children) {
+    int n = 1;
+    children[0] = makeChild(range, depth);
+    const auto before = [](const Child& a, const Child& b) {
+        return std::tie(a.priority, a.range.count) < std::tie(b.priority, b.range.count);
+    };
+    while (n < Bvh::width) {
+        Child& widest = *std::max_element(children.begin(), children.begin() + n, before);
+        if (widest.priority < 0) break;
+        Range left, right;
+        splitter.apply(widest.cut, widest.range, left, right);
+        widest = makeChild(left, depth);
+        children[static_cast<std::size_t>(n++)] = makeChild(right, depth);
+    }
+    return n;
+}
+
+void Builder::fillNode(std::uint32_t index, const Range& range, int depth) {
+    std::array<Child, Bvh::width> children;
+    const int n = cutIntoChildren(range, depth, children);
+    Node node = emptyNode();
+    auto next = static_cast<std::uint32_t>(nodes.size());
+    for (int i = 0; i < n; ++i) {
+        const Range& r = children[static_cast<std::size_t>(i)].range;
+        setBox(node, i, r.box);
+        if (r.count <= leafSize)
+            node.child[i] = Bvh::leafBit | (r.count - 1) << Bvh::sizeShift | r.first;
+        else if (jobs && r.count <= jobLimit)
+            jobs->push_back({r, depth + 1, index, i});
+        else
+            node.child[i] = next++;
+    }
+    bvh::setOrder(node);
+    nodes[index] = node;
+    nodes.resize(next);
+    for (int i = 0; i < n; ++i)
+        if (!Bvh::isLeaf(node.child[i]))
+            fillNode(node.child[i], children[static_cast<std::size_t>(i)].range, depth + 1);
+}
+
+std::vector<Item> makeItems(std::span<const Bounds> boxes) {
+    std::vector<Item> items(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Bounds& b = boxes[i];
+        items[i] = {{-b.min[0], -b.min[1], -b.min[2],
+                     std::bit_cast<float>(numberBit | static_cast<std::uint32_t>(i)), b.max[0],
+                     b.max[1], b.max[2], 0}};
+    }
+    return items;
+}
+
+// Appends a subtree and enters its root into its parent.
+void append(std::vector<Node>& nodes, std::vector<Node>& subtree, const Job& job) {
+    const auto offset = static_cast<std::uint32_t>(nodes.size());
+    for (Node& node : subtree)
+        for (std::uint32_t& child : node.child)
+            if (!Bvh::isLeaf(child)) child += offset;
+    nodes[job.parent].child[job.slot] = offset;
+    nodes.insert(nodes.end(), subtree.begin(), subtree.end());
+    std::vector<Node>().swap(subtree);
+}
+
+// Calls work(i) for every i below n.
+template <typename Work>
+void inParallel(std::size_t n, int threads, const Work& work) {
+    std::atomic<std::size_t> next = 0;
+    const auto run = [&] {
+        for (std::size_t i = next++; i < n; i = next++) work(i);
+    };
+    std::vector<std::thread> helpers;
+    for (int i = 1; i < threads && static_cast<std::size_t>(i) < n; ++i) helpers.emplace_back(run);
+    run();
+    for (std::thread& helper : helpers) helper.join();
+}
+
+// The jobs depend on the primitives alone, and so does the tree.
+std::vector<Node> buildTree(Splitter& splitter, std::uint32_t leafSize, int threads) {
+    const Range all = splitter.whole();
+    std::vector<Job> jobs;
+    Builder top(splitter, leafSize, all.count / jobsPerTree,
+                all.count < minParallel ? nullptr : &jobs);
+    top.build(all, 0);
+    std::vector<std::vector<Node>> subtrees(jobs.size());
+    inParallel(jobs.size(), threads, [&](std::size_t i) {
+        Builder builder(splitter, leafSize, 0, nullptr);
+        builder.build(jobs[i].range, jobs[i].depth);
+        subtrees[i] = std::move(builder.nodes);
+    });
+    std::size_t count = top.nodes.size();
+    for (const auto& subtree : subtrees) count += subtree.size();
+    std::vector<Node> nodes;
+    reserveInLargePages(nodes, count);
+    nodes.insert(nodes.end(), top.nodes.begin(), top.nodes.end());
+    for (std::size_t i = 0; i < jobs.size(); ++i) append(nodes, subtrees[i], jobs[i]);
+    return nodes;
+}
+
+}  // namespace
+
+Bvh::Bvh(std::span<const Bounds> boxes, int leafSize, int threads) {
+    if (leafSize < 1 || leafSize > 8) throw std::invalid_argument("Bvh: leaf size not in 1..8");
+    if (boxes.size() > 1u << sizeShift) throw std::length_error("Bvh: more than 2^28 boxes");
+    if (boxes.empty()) return;
+    std::vector<Item> items = makeItems(boxes);
+    Splitter splitter(items, static_cast<std::uint32_t>(leafSize));
+    nodes = buildTree(splitter, static_cast<std::uint32_t>(leafSize), threads);
+    nodes.shrink_to_fit();
+    primitives.resize(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i)
+        primitives[i] = std::bit_cast<std::uint32_t>(items[i].lane[3]) & ~numberBit;
+}
+
+std::size_t Bvh::bytes() const {
+    return nodes.size() * sizeof(Node) + primitives.size() * sizeof(std::uint32_t);
+}
+
+Bounds Bvh::bounds() const {
+    Bounds box;
+    if (nodes.empty()) return box;
+    for (int i = 0; i < width; ++i) {
+        const auto& p = nodes[0].planes;
+        if (p[0][i] <= p[3][i])
+            box.add(Bounds{{p[0][i], p[1][i], p[2][i]}, {p[3][i], p[4][i], p[5][i]}});
+    }
+    return box;
+}
+
+}  // namespace sw

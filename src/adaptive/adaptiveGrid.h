@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "adaptive/adaptivePixel.h"
+#include "swRenderer.h"
+
+namespace sw {
+
+/// The pixels of a region with their samples and errors; all work is spread over tiles and threads.
+/// Samples depend on errors and errors on samples, but never in the same sweep, so that the order
+/// in which pixels are visited does not matter.
+class AdaptiveGrid {
+public:
+    /// Which pixels to refine: those whose squared error is above both limits, as long as they have
+    /// not too many samples.
+    struct Need {
+        float squaredError = 0;
+        float squaredErrorPerSample = 0;
+        int mostSamples = 0;
+
+        bool operator()(float error, int samples) const {
+            return error > squaredError &&
+                   error > squaredErrorPerSample * static_cast<float>(samples) &&
+                   refinedSamples(samples) <= mostSamples;
+        }
+    };
+
+    AdaptiveGrid(const Window& region, const RadianceAt& radiance, const RenderOptions& options);
+
+    /// Takes one sample in every pixel and estimates the errors.
+    void start();
+
+    /// Refines the pixels of a window that need it, and estimates the errors anew. Tiles that are
+    /// begun after `late` has become true are left as they are.
+    void refineWhere(const Window& window, const Need& needed, const std::function<bool()>& late);
+
+    const AdaptivePixel& pixel(int x, int y) const { return pixels[index(x, y)]; }
+    float squaredErrorOf(int x, int y) const { return errors[index(x, y)]; }
+    Color colour(int x, int y) const { return resolve(around(x, y)); }
+
+    std::uint64_t samples() const { return taken; }
+    const RayCount& rays() const { return traced; }
+    int threads() const { return mostThreads; }
+
+private:
+    template <typename TileFunction>
+    void forEachTile(const TileFunction& function,
+                     const std::function<void(int, int)>& progress = nullptr);
+    void refinePixel(int x, int y, const Need& needed);
+    void estimateErrors();
+    Neighbourhood around(int x, int y) const;
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - all.y0) * static_cast<std::size_t>(all.width()) +
+               static_cast<std::size_t>(x - all.x0);
+    }
+
+    const Window all;
+    const RadianceAt& radiance;
+    const RenderOptions& options;
+    std::vector<AdaptivePixel> pixels;
+    std::vector<float> errors;                   // squared
+    std::unique_ptr<std::atomic<bool>[]> stale;  // errors: the pixel or a neighbour has changed
+    std::atomic<std::uint64_t> taken{0};
+    RayCount traced;
+    int mostThreads = 0;
+};
+
+}  // namespace sw

@@ -1,0 +1,158 @@
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <iostream>
+#include <span>
+
+#include "app/scenePath.h"
+
+namespace {
+
+constexpr int largestSide = 16384;
+constexpr long long mostPixels = 1LL << 28;  // 3 GiB of floats
+
+// Reads whole numbers with separators between them, "512x512" for example, and nothing else.
+// Returns whether the text is just that.
+bool readInts(const std::string& text, char separator, std::span<int> values) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i > 0 && (at == end || *at++ != separator)) return false;
+        const auto result = std::from_chars(at, end, values[i]);
+        if (result.ec != std::errc()) return false;
+        at = result.ptr;
+    }
+    return at == end;
+}
+
+void readSize(const std::string& text, Options& options) {
+    int size[2];
+    const auto fits = [](int side) { return side >= 1 && side <= largestSide; };
+    if (!readInts(text, 'x', size) || !fits(size[0]) || !fits(size[1]))
+        throw UsageError("--size: expected WIDTHxHEIGHT, each from 1 to 16384, found '" + text +
+                         "'");
+    options.width = size[0];
+    options.height = size[1];
+}
+
+sw::Window readCrop(const std::string& text) {
+    int c[4];
+    if (!readInts(text, ',', c) || c[0] < 0 || c[1] < 0 || c[0] >= c[2] || c[1] >= c[3])
+        throw UsageError(
+            "--crop: expected x0,y0,x1,y1 with 0 <= x0 < x1 and 0 <= y0 < y1, found '" + text +
+            "'");
+    return {c[0], c[1], c[2], c[3]};
+}
+
+Pixel readPixel(const std::string& text) {
+    int p[2];
+    if (!readInts(text, ',', p) || p[0] < 0 || p[1] < 0)
+        throw UsageError("--pixel: expected x,y, each 0 or more, found '" + text + "'");
+    return {p[0], p[1]};
+}
+
+// CLI11 reads "-1" as the largest unsigned number.
+const CLI::Validator notNegative(
+    [](const std::string& text) {
+        return text.find('-') == std::string::npos ? "" : "expected 0 or more, found " + text;
+    },
+    "");
+
+// There are several ways to sample a picture, and each has options of its own. To look into a pixel
+// makes no picture.
+void requireOneWay(const CLI::App& app, const Options& options) {
+    if (options.pixel)
+        refuseBeside(
+            app, "--pixel",
+            {"--output", "--samples", "--sampler", "--adaptive", "--target-rmse", "--time-limit",
+             "--corners", "--threads", "--crop", "--quiet", "--stats", "--error-image"});
+    if (options.corners) refuseBeside(app, "--corners", {"--samples", "--sampler"});
+    checkSamplingOptions(app, options);
+}
+
+}  // namespace
+
+void refuseBeside(const CLI::App& app, const std::string& way,
+                  std::initializer_list<const char*> others) {
+    for (const std::string other : others)
+        if (const auto* option = app.get_option_no_throw(other); option && option->count() > 0)
+            throw UsageError(way + ": expected no " + other +
+                             " beside it, found both (leave one out)");
+}
+
+Options parseOptions(int argc, const char* const* argv) {
+    Options options;
+    std::string size, crop, pixel;
+
+    CLI::App app("Renders a scene by Whitted ray tracing.", "swtracer");
+    app.set_version_flag("--version", SW_VERSION);
+    app.add_option("scene", options.scene, "scene file in NFF; default: the lab's scene");
+    app.add_option("-o,--output", options.output, "picture to write, a PNG")->capture_default_str();
+    app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default: what the scene says");
+    app.add_option("--samples", options.samples, "N for NxN samples per pixel; 1: its centre")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    addSamplingOptions(app, options.sampling);
+    app.add_flag("--corners", options.corners,
+                 "rays at the corners of pixels, each shared by four, instead of samples");
+    app.add_option("--depth", options.depth, "how often a ray may be reflected or refracted")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    app.add_option("--threads", options.threads, "0: all that the machine has")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    app.add_option("--seed", options.seed, "of the random numbers")
+        ->check(notNegative)
+        ->capture_default_str();
+    app.add_option("--crop", crop, "x0,y0,x1,y1: only this window of the picture");
+    app.add_option("--pixel", pixel,
+                   "x,y: no picture, but the tree of rays behind this pixel's centre");
+    app.add_option("--gamma", options.gamma, "of the picture")
+        ->check(CLI::Range(0.1, 10.0))
+        ->capture_default_str();
+    app.add_flag("--quiet", options.quiet, "print nothing but errors");
+    app.add_option("--stats", options.stats, "JSON file for ray counts, times and error");
+    app.add_option("--error-image", options.errorImage,
+                   "PNG of the estimated error: black 0.0001, blue 0.001, red 0.01, yellow 0.1, "
+                   "white 1");
+
+    try {
+        app.parse(argc, argv);
+        if (app.count("--size") > 0) readSize(size, options);
+        if (app.count("--crop") > 0) options.crop = readCrop(crop);
+        if (app.count("--pixel") > 0) options.pixel = readPixel(pixel);
+        requireOneWay(app, options);
+        if (options.corners) options.samples = 1;
+        if (!options.errorImage.empty() && options.samples == 1 && !options.sampling.isAdaptive())
+            throw UsageError(
+                "--error-image: expected --samples 2 or more, found one sample per pixel");
+        if (!(options.gamma > 0)) throw UsageError("--gamma: expected a number, found NaN");
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help, --version
+        throw UsageError(error.what());
+    }
+    if (options.scene.empty()) options.scene = findShippedScene("cornell.nff", argv[0]);
+    return options;
+}
+
+void settleSize(Options& options, int sceneWidth, int sceneHeight) {
+    if (options.width == 0) {
+        options.width = sceneWidth;
+        options.height = sceneHeight;
+    }
+    const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+    if (!options.crop) options.crop = sw::Window{0, 0, options.width, options.height};
+    const sw::Window& crop = *options.crop;
+    if (crop.x1 > options.width || crop.y1 > options.height)
+        throw UsageError("--crop: expected a window within " + size + ", found one that ends at " +
+                         std::to_string(crop.x1) + "," + std::to_string(crop.y1));
+    if (options.pixel && (options.pixel->x >= options.width || options.pixel->y >= options.height))
+        throw UsageError("--pixel: expected a pixel within " + size + ", found " +
+                         std::to_string(options.pixel->x) + "," + std::to_string(options.pixel->y));
+    if (static_cast<long long>(crop.width()) * crop.height() > mostPixels)
+        throw UsageError("a picture of " + size +
+                         " is too large for memory; expected at most 2^28 pixels (use --crop)");
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "app/sampling.h"
+#include "swRenderer.h"
+
+/// A pixel of a picture; 0,0 is the top left one.
+struct Pixel {
+    int x = 0, y = 0;
+};
+
+/// What the command line asks for.
+struct Options {
+    std::filesystem::path scene;  ///< the lab's, where none is named
+    std::filesystem::path output = "out.png";
+    int width = 0, height = 0;         ///< pixels; 0: the scene's own resolution
+    int samples = 3;                   ///< per side of the grid in every pixel
+    SamplingOptions sampling;          ///< in other ways
+    bool corners = false;              ///< shoot rays at the pixels' corners instead; samples is 1
+    int depth = 3;                     ///< of the recursion: 0 traces primary rays alone
+    int threads = 0;                   ///< 0: one per hardware thread
+    std::uint64_t seed = 1;            ///< of the jitter
+    std::optional<sw::Window> crop;    ///< render only this part of the picture
+    std::optional<Pixel> pixel;        ///< print the rays behind it, and render nothing
+    float gamma = 2.2f;                ///< of the PNG
+    bool quiet = false;                ///< neither progress nor summary
+    std::filesystem::path stats;       ///< JSON file for statistics; empty: none
+    std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none
+};
+
+/// A command line that makes no sense. The message says what to do instead.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Reads the command line. --help and --version print on stdout and end the program.
+/// @throws UsageError
+Options parseOptions(int argc, const char* const* argv);
+
+/// For ways to use the program that exclude each other.
+/// @throws UsageError if the command line holds one of the others beside `way`
+void refuseBeside(const CLI::App& app, const std::string& way,
+                  std::initializer_list<const char*> others);
+
+/// Settles the picture's size, which only the scene may know.
+/// @throws UsageError for one too large for memory, or a crop or pixel that lies outside the
+/// picture
+void settleSize(Options& options, int sceneWidth, int sceneHeight);

@@ -1,0 +1,80 @@
+#include "app/program.h"
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "app/picture.h"
+#include "app/pixelTree.h"
+#include "swFile.h"
+#include "swMetrics.h"
+#include "swSampling.h"
+
+using namespace sw;
+
+const NffScene& Run::loadScene() {
+    file = loadNff(options.scene, options.pixel ? &shapes : nullptr);
+    settleSize(options, file->width, file->height);
+    for (const auto& path : {options.output, options.stats, options.errorImage})
+        if (!options.pixel && !path.empty()) requireWritable(path);
+    if (!options.quiet) printWarnings(file->warnings);
+    seconds.load = watch.lap();
+
+    file->camera.setup(options.width, options.height);
+    file->scene.prepare();
+    seconds.build = watch.lap();
+    return *file;
+}
+
+void Run::render(const rayTree::Trace& traceRay,
+                 const std::function<Color(int x, int y)>& samplePixel) {
+    if (options.pixel) {
+        const auto repeatable = [&](const Ray& ray, const Scene& scene, int rayDepth) {
+            seedPixel(options.seed, options.pixel->x, options.pixel->y);
+            return traceRay(ray, scene, rayDepth);
+        };
+        pixelText = describePixel(options, *file, std::move(shapes), repeatable);
+        return;
+    }
+    const auto radiance = [&](float x, float y) {
+        return traceRay(file->camera.getRay(x, y), file->scene, options.depth);
+    };
+    result = renderPicture(options, radiance, samplePixel);
+    seconds.trace = watch.lap();
+}
+
+void Run::write() {
+    if (options.pixel) {
+        std::cout << pixelText << std::flush;
+        return;
+    }
+    writePng(result->image, options.output, options.gamma);
+    if (!options.errorImage.empty()) writePng(heatMap(result->errors), options.errorImage);
+    seconds.write = watch.lap();
+
+    if (!options.stats.empty())
+        writeFile(options.stats, statsJson(options, *result, seconds, file->scene));
+    if (!options.quiet) std::cout << summary(options, *result, seconds) << std::endl;
+}
+
+int runProgram(int argc, const char* const* argv, const std::function<void(Run&)>& steps) {
+    const auto fail = [](int code, const std::exception& error) {
+        std::cerr << "swtracer: " << error.what() << std::endl;
+        return code;
+    };
+    try {
+        Run run(parseOptions(argc, argv));
+        steps(run);
+        return 0;
+    } catch (const UsageError& error) {
+        return fail(2, error);
+    } catch (const NffError& error) {
+        return fail(3, error);
+    } catch (const FileError& error) {
+        return fail(4, error);
+    } catch (const std::bad_alloc&) {
+        return fail(2, UsageError("too large for memory; try a smaller --size, or --crop"));
+    } catch (const std::exception& error) {
+        return fail(1, error);
+    }
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "swRenderer.h"
+#include "swScene.h"
+
+/// Wall time of the steps of a run, in seconds.
+struct StepTimes {
+    double load = 0, build = 0, trace = 0, write = 0;
+    double total() const { return load + build + trace + write; }
+};
+
+/// Measures one step after the other.
+class StopWatch {
+public:
+    /// Seconds since the last lap, or since the start.
+    double lap();
+
+private:
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+
+/// One line on stderr for each.
+void printWarnings(const std::vector<std::string>& warnings);
+
+/// One line: picture, size, samples, threads, wall time, rays, estimated error.
+std::string summary(const Options& options, const sw::RenderResult& result, const StepTimes& times);
+
+/// The same and more as JSON.
+std::string statsJson(const Options& options, const sw::RenderResult& result,
+                      const StepTimes& times, const sw::Scene& scene);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "swVec3.h"
+
+namespace sw {
+
+/// A stream that formats numbers the same way in every locale.
+std::ostringstream plainStream();
+
+/// A number in six digits, the same in every locale; -0 as 0, and every NaN as "nan".
+std::string plainText(float number);
+/// "(1, 2, 3)".
+std::string plainText(const Vec3& v);
+
+}  // namespace sw

@@ -1,0 +1,47 @@
+#include "rayTree/shapeNames.h"
+
+#include <cmath>
+
+namespace rayTree {
+namespace {
+
+using namespace sw;
+
+std::string describe(const NffShape& shape) {
+    return std::string(shape.kind) + " (line " + std::to_string(shape.line) + ", " +
+           (shape.describe ? shape.describe(*shape.primitive) : "of a kind unknown here") + ")";
+}
+
+bool isSame(const Vec3& a, const Vec3& b) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+bool isSame(const Intersection& a, const Intersection& b) {
+    return isSame(a.position, b.position) && isSame(a.normal, b.normal) &&
+           isSame(a.material.color, b.material.color);
+}
+
+}  // namespace
+
+std::string ShapeNames::hitBy(const Ray& ray, const Intersection& hit) const {
+    const NffShape* found = nullptr;
+    for (const NffShape& shape : shapes) {
+        Intersection candidate;
+        if (!shape.primitive->intersect(ray, candidate) || candidate.hitT != hit.hitT) continue;
+        if (isSame(candidate, hit)) return describe(shape);
+        if (!found) found = &shape;  // unless one agrees in all
+    }
+    return found ? describe(*found) : "something that is not in the scene file";
+}
+
+std::vector<std::string> ShapeNames::hitNowhere(const Ray& ray) const {
+    std::vector<std::string> names;
+    for (const NffShape& shape : shapes) {
+        Intersection candidate;
+        if (shape.primitive->intersect(ray, candidate) && std::isnan(candidate.hitT))
+            names.push_back(describe(shape));
+    }
+    return names;
+}
+
+}  // namespace rayTree

@@ -1,0 +1,101 @@
+#include "swErrorEstimate.h"
+
+#include <cmath>
+#include <limits>
+
+#include "swMetrics.h"
+
+namespace sw {
+namespace {
+
+constexpr float edgeFactor = 0.742f;       // see PixelSamples
+constexpr float multiJitterFactor = 0.6f;  // of the variance of jitter
+
+// Sum of squared deviations from the mean.
+NotedSample squaredDeviations(const NotedSample* samples, std::size_t count) {
+    NotedSample squares{};
+    for (int i = 0; i < 3; ++i) {
+        float mean = 0;
+        for (std::size_t k = 0; k < count; ++k) mean += samples[k].m[i];
+        mean /= static_cast<float>(count);
+        for (std::size_t k = 0; k < count; ++k)
+            squares.m[i] += (samples[k].m[i] - mean) * (samples[k].m[i] - mean);
+    }
+    return squares;
+}
+
+// Sum over all 2 x 2 neighbouring cells of their squared contrast.
+NotedSample squaredContrasts(const NotedSample* cells, std::size_t n) {
+    NotedSample squares{};
+    for (std::size_t row = 0; row + 1 < n; ++row) {
+        for (std::size_t column = 0; column + 1 < n; ++column) {
+            const NotedSample *upper = cells + row * n + column, *lower = upper + n;
+            for (int i = 0; i < 4; ++i) {
+                const float q = (upper[0].m[i] - upper[1].m[i]) - (lower[0].m[i] - lower[1].m[i]);
+                squares.m[i] += q * q;
+            }
+        }
+    }
+    return squares;
+}
+
+// What turns these sums into the variance of the mean of n x n samples.
+float varianceFactor(SamplePattern pattern, int n) {
+    const float samples = static_cast<float>(n * n), blocks = static_cast<float>((n - 1) * (n - 1));
+    if (pattern == SamplePattern::random) return 1 / (samples - 1) / samples;
+    const float jitter = edgeFactor / 4 / blocks / samples;
+    return pattern == SamplePattern::multiJitter ? multiJitterFactor * jitter : jitter;
+}
+
+}  // namespace
+
+float shownError(float mean, float error) {
+    const float least = mean - error, most = mean + error;
+    if (least >= 0 && most <= 1) return error;
+    return ((most < 1 ? shown(most) : 1) - shown(least)) / 2;  // NaN is anything up to 1
+}
+
+// There is room for one sample too many, so that this can be noticed.
+PixelSamples::PixelSamples(SamplePattern pattern, int side)
+    : pattern(pattern),
+      n(side < 2 ? 0 : static_cast<std::size_t>(side)),
+      factor(varianceFactor(pattern, side)),
+      samples(n == 0 ? 0 : n * n + 1),
+      outer(sampleSpace) {
+    sampleSpace = {samples.data(), samples.data() + samples.size()};
+}
+
+PixelSamples::~PixelSamples() {
+    sampleSpace = outer;
+}
+
+Color PixelSamples::takeError(const Color& mean) {
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    const bool complete = n > 0 && sampleSpace.next == samples.data() + n * n;
+    sampleSpace.next = samples.data();
+    if (!complete) return {none, none, none};
+
+    const NotedSample sum = pattern == SamplePattern::random
+                                ? squaredDeviations(samples.data(), n * n)
+                                : squaredContrasts(samples.data(), n);
+    Color error;
+    for (int i = 0; i < 3; ++i) error[i] = shownError(mean[i], std::sqrt(factor * sum.m[i]));
+    return error;
+}
+
+double estimatedSteps(const Image& image, const Image& errors, float gamma) {
+    double squares = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            for (int i = 0; i < 3; ++i) {
+                const float mean = shown(image.at(x, y)[i]), error = errors.at(x, y)[i];
+                if (std::isnan(error)) return error;
+                const double steps = encoded(mean, gamma) - encoded(mean - error, gamma);
+                squares += steps * steps;
+            }
+        }
+    }
+    return std::sqrt(squares / (3.0 * image.width() * image.height()));
+}
+
+}  // namespace sw

@@ -1,0 +1,14 @@
+#include "tools/bench/picture.h"
+#include "tools/bench/yardstick.h"
+
+namespace bench {
+
+std::unique_ptr<Yardstick> makeYardstick(const Model&) {
+    return nullptr;
+}
+
+Radiance embreesPicture(int) {
+    return nullptr;
+}
+
+}  // namespace bench

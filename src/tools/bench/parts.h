@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/bench/result.h"
+
+namespace bench {
+
+struct Setup {
+    bool quick = false;  ///< only see whether everything runs
+    bool full = false;   ///< larger models as well
+    std::filesystem::path output = "report";
+
+    /// An odd number.
+    int repetitions(int usual) const { return quick ? 1 : usual; }
+};
+
+// The parts of the benchmark. Each adds its lines.
+
+/// The default lab picture, against the original's way and Embree; two threads against one.
+void compareLab(const Setup& setup, Lines& lines);
+
+/// Build time, memory and rays per second of large models, against Embree.
+void compareModels(const Setup& setup, Lines& lines);
+
+/// How time and visited nodes per ray grow with the number of triangles.
+void measureGrowth(const Setup& setup, Lines& lines);
+
+/// What loading, building, tracing and writing take of a run; time and size of the PNG.
+void measureSteps(const Setup& setup, Lines& lines);
+
+/// How fast the text of a large scene is read, by one thread.
+void measureLoading(const Setup& setup, Lines& lines);
+
+}  // namespace bench

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "tools/bench/models.h"
+
+namespace bench {
+
+/// A model as Intel's Embree keeps it: single rays, default quality of the tree.
+class Yardstick {
+public:
+    virtual ~Yardstick() = default;
+
+    /// Builds the tree, with one thread.
+    virtual void build() = 0;
+    /// How many of the rays hit something.
+    virtual std::size_t trace(std::span<const sw::Ray> rays, bool any) const = 0;
+    /// Memory for tree and geometry.
+    virtual std::size_t bytes() const = 0;
+};
+
+/// Null where Embree is not installed.
+std::unique_ptr<Yardstick> makeYardstick(const Model& model);
+
+}  // namespace bench

@@ -1,0 +1,42 @@
+#include "tools/common/table.h"
+#include "nff/plainText.h"
+#include "tools/common/html.h"
+
+#include <algorithm>
+#include <iomanip>
+
+namespace report {
+
+std::string table(const std::vector<Row>& rows, std::size_t wordColumns) {
+    auto text = sw::plainStream();
+    const auto line = [&](const Row& row, char fill) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            std::size_t width = 0;
+            for (const Row& other : rows) width = std::max(width, other[i].size());
+            const bool words = i < wordColumns;
+            text << "| " << (words ? std::left : std::right) << std::setfill(fill)
+                 << std::setw(static_cast<int>(width)) << row[i]
+                 << (fill == '-' && !words ? ":" : " ");
+        }
+        text << "|\n";
+    };
+    line(rows[0], ' ');
+    line(Row(rows[0].size()), '-');
+    for (std::size_t i = 1; i < rows.size(); ++i) line(rows[i], ' ');
+    return text.str();
+}
+
+std::string htmlTable(const std::vector<Row>& rows, std::size_t wordColumns) {
+    std::string page = "<div class=\"table\"><table>\n";
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const std::string cell = k == 0 ? "th" : "td";
+        page += "<tr>";
+        for (std::size_t i = 0; i < rows[k].size(); ++i)
+            page += "<" + cell + (i < wordColumns ? ">" : " class=\"number\">") +
+                    html::escaped(rows[k][i]) + "</" + cell + ">";
+        page += "</tr>\n";
+    }
+    return page + "</table></div>\n";
+}
+
+}  // namespace report

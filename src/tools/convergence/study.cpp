@@ -1,0 +1,177 @@
+#include "tools/convergence/study.h"
+#include "nff/plainText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "swAdaptive.h"
+#include "swErrorEstimate.h"
+#include "swNff.h"
+#include "swRenderer.h"
+#include "swSamplePattern.h"
+#include "tools/common/mainFunctions.h"
+#include "tools/common/measure.h"
+
+namespace report {
+namespace {
+
+constexpr int depth = 3;
+constexpr std::uint64_t referenceSeed = 1000;  // the repetitions have 1, 2, ...
+
+// A scene, ready to be drawn at a size.
+class Subject {
+public:
+    using RadianceAt = std::function<sw::Color(float x, float y)>;
+
+    Subject(const std::filesystem::path& path, int size) : file(sw::loadNff(path)) {
+        const double scale = static_cast<double>(size) / std::max(file.width, file.height);
+        all.x1 = std::max(1, static_cast<int>(std::lround(file.width * scale)));
+        all.y1 = std::max(1, static_cast<int>(std::lround(file.height * scale)));
+        file.camera.setup(all.x1, all.y1);
+        file.scene.prepare();
+        radiance = [this](float x, float y) {
+            return lab::traceRay(file.camera.getRay(x, y), file.scene, depth);
+        };
+    }
+    Subject(const Subject&) = delete;
+    Subject& operator=(const Subject&) = delete;
+
+    sw::RenderResult uniformly(sw::SamplePattern pattern, int n, std::uint64_t seed) const {
+        const auto pixel = [&](int x, int y) {
+            return sw::samplePixelWith(pattern, static_cast<float>(x), static_cast<float>(y), n,
+                                       radiance);
+        };
+        return draw(pixel, pattern, n, seed);
+    }
+
+    // With sums in double precision.
+    sw::RenderResult reference(int n) const {
+        const auto pixel = [&](int x, int y) {
+            sw::SampleMean noted;  // for the error estimate
+            double sum[3] = {};
+            for (const auto& point : sw::samplePoints(sw::SamplePattern::multiJitter, n)) {
+                const sw::Color color =
+                    radiance(static_cast<float>(x) + point.x, static_cast<float>(y) + point.y);
+                noted += color;
+                for (int i = 0; i < 3; ++i) sum[i] += static_cast<double>(color[i]);
+            }
+            const auto mean = [&](int i) { return static_cast<float>(sum[i] / n / n); };
+            return sw::Color(mean(0), mean(1), mean(2));
+        };
+        return draw(pixel, sw::SamplePattern::multiJitter, n, referenceSeed);
+    }
+
+    sw::RenderResult adaptively(float tolerance, std::uint64_t seed) const {
+        sw::AdaptiveOptions options;
+        options.tolerance = tolerance;
+        options.render.seed = seed;
+        return sw::renderAdaptive(all, all.x1, all.y1, radiance, options);
+    }
+
+private:
+    sw::RenderResult draw(const std::function<sw::Color(int x, int y)>& pixel,
+                          sw::SamplePattern pattern, int n, std::uint64_t seed) const {
+        return sw::render(all, pixel, {.seed = seed, .pattern = pattern, .samples = n});
+    }
+
+    sw::NffScene file;
+    sw::Window all;
+    RadianceAt radiance;
+};
+
+struct Method {
+    std::string name, setting;
+    bool pictured;  // its errors
+    bool slow;      // and so its time is steady: once will do
+    std::function<sw::RenderResult(std::uint64_t seed)> draw;
+};
+
+std::string shortest(float value) {
+    auto text = sw::plainStream();
+    text << value;
+    return text.str();
+}
+
+std::vector<Method> methodsFor(const Subject& subject, const StudyEffort& effort) {
+    std::vector<Method> methods;
+    const int pictured = std::min(3, effort.largestGrid);
+    for (std::size_t k = 0; k < sw::patternNames.size(); ++k) {
+        const auto pattern = static_cast<sw::SamplePattern>(k);
+        for (int n = 1; n <= effort.largestGrid; ++n)
+            methods.push_back({sw::patternNames[k], std::to_string(n) + "x" + std::to_string(n),
+                               n == pictured, n > 5, [&subject, pattern, n](std::uint64_t seed) {
+                                   return subject.uniformly(pattern, n, seed);
+                               }});
+    }
+    for (std::size_t i = 0; i < effort.tolerances.size(); ++i) {
+        const float tolerance = effort.tolerances[i];
+        methods.push_back({"adaptive", shortest(tolerance), i == effort.tolerances.size() / 2,
+                           false, [&subject, tolerance](std::uint64_t seed) {
+                               return subject.adaptively(tolerance, seed);
+                           }});
+    }
+    return methods;
+}
+
+// The repetitions of one method: its errors and its times.
+class Repetitions {
+public:
+    void add(const sw::RenderResult& drawn, const sw::Image& reference) {
+        const sw::Metrics metrics = sw::compare(drawn.image, reference);
+        squares += metrics.rmse * metrics.rmse;
+        estimatedSquares += drawn.estimatedRmse * drawn.estimatedRmse;
+        visible += metrics.visible;
+        if (seconds.empty() || metrics.largest > result.error.largest) result.error = metrics;
+        result.rays = static_cast<double>(drawn.rays.total());
+        result.samples =
+            static_cast<double>(drawn.samples) / drawn.image.width() / drawn.image.height();
+        seconds.push_back(drawn.seconds);
+    }
+
+    Measurement summary(const Method& method) const {
+        const double n = static_cast<double>(seconds.size());
+        Measurement all = result;
+        all.method = method.name;
+        all.setting = method.setting;
+        all.seconds = bench::median(seconds);
+        all.error.rmse = std::sqrt(squares / n);
+        all.error.psnr = -20 * std::log10(all.error.rmse);
+        all.error.visible = visible / n;
+        all.estimatedRmse = std::sqrt(estimatedSquares / n);
+        return all;
+    }
+
+private:
+    Measurement result;
+    std::vector<double> seconds;
+    double squares = 0, estimatedSquares = 0, visible = 0;
+};
+
+}  // namespace
+
+Study studyScene(const std::filesystem::path& scene, const StudyEffort& effort) {
+    const Subject subject(scene, effort.size);
+    sw::RenderResult reference = subject.reference(effort.referenceGrid);
+    const std::vector<Method> methods = methodsFor(subject, effort);
+    Study study{scene.stem().string(), std::move(reference.image), reference.estimatedRmse, {}, {}};
+
+    // The methods take turns: a machine that slows down meanwhile does so for all of them alike.
+    std::vector<Repetitions> repetitions(methods.size());
+    for (int i = 1; i <= effort.repetitions; ++i) {
+        for (std::size_t k = 0; k < methods.size(); ++k) {
+            if (i > 1 && methods[k].slow) continue;
+            const sw::RenderResult drawn = methods[k].draw(static_cast<std::uint64_t>(i));
+            repetitions[k].add(drawn, study.reference);
+            if (i == 1 && methods[k].pictured)
+                study.errors.push_back(
+                    {methods[k].name, methods[k].setting,
+                     sw::heatMap(sw::absoluteDifference(drawn.image, study.reference))});
+        }
+    }
+    for (std::size_t k = 0; k < methods.size(); ++k)
+        study.measurements.push_back(repetitions[k].summary(methods[k]));
+    return study;
+}
+
+}  // namespace report

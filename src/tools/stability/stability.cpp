@@ -1,0 +1,146 @@
+#include "tools/stability/stability.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "swFile.h"
+#include "tools/common/machine.h"
+#include "tools/stability/cases.h"
+#include "tools/stability/methods.h"
+#include "tools/stability/stabilityOutput.h"
+#include "tools/stability/timing.h"
+
+namespace report {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StabilityOptions {
+    fs::path output = "report";
+    bool quick = false;
+};
+
+struct Effort {
+    int cases;        ///< per family
+    int edgeRays;     ///< that are aimed at shared edges
+    int timedCases;   ///< of the ordinary family: too many for the processor to learn by heart
+    int repetitions;  ///< of the timing
+};
+constexpr Effort full{40000, 1000000, 16384, 401};
+constexpr Effort quickLook{500, 10000, 512, 5};
+
+// The distance of t from the truth in units of the truth's last place.
+double errorInUlp(float t, const Truth& truth) {
+    const float rounded = static_cast<float>(truth.t);
+    const long double ulp = std::nextafter(rounded, HUGE_VALF) - rounded;
+    return static_cast<double>(std::fabs(static_cast<long double>(t) - truth.t) / ulp);
+}
+
+template <typename Shape>
+Score score(const Method<Shape>& method, const Family<Shape>& family) {
+    Score result{family.name};
+    std::size_t wrong = 0;
+    for (const Case<Shape>& one : family.cases) {
+        sw::Intersection hit;
+        const bool found = method.make(one.shape)->intersect(one.ray, hit);
+        if (found != one.truth.hit)
+            ++wrong;
+        else if (found)
+            result.largestError = std::max(result.largestError, errorInUlp(hit.hitT, one.truth));
+    }
+    result.wrongPercent =
+        100 * static_cast<double>(wrong) / static_cast<double>(family.cases.size());
+    return result;
+}
+
+// All families have the same number of cases.
+Score combine(const std::vector<Score>& families) {
+    Score all{"all"};
+    for (const Score& family : families) {
+        all.wrongPercent += family.wrongPercent / static_cast<double>(families.size());
+        all.largestError = std::max(all.largestError, family.largestError);
+    }
+    return all;
+}
+
+template <typename Shape>
+std::vector<Timing> timeAll(const std::vector<Method<Shape>>& methods, const Family<Shape>& family,
+                            const Effort& effort) {
+    const auto count = std::min(family.cases.size(), static_cast<std::size_t>(effort.timedCases));
+    std::vector<sw::Ray> rays;
+    std::vector<Primitives> primitives(methods.size());
+    for (std::size_t i = 0; i < count; ++i) rays.push_back(family.cases[i].ray);
+    for (std::size_t k = 0; k < methods.size(); ++k)
+        for (std::size_t i = 0; i < count; ++i)
+            primitives[k].push_back(methods[k].make(family.cases[i].shape));
+    return timeMethods(primitives, rays, effort.repetitions);
+}
+
+template <typename Shape>
+std::vector<MethodResult> examine(const std::string& shape,
+                                  const std::vector<Method<Shape>>& methods,
+                                  const std::vector<Family<Shape>>& families,
+                                  const Effort& effort) {
+    const std::vector<Timing> timings = timeAll(methods, families[0], effort);
+    std::vector<MethodResult> results;
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+        MethodResult result{
+            shape, methods[k].name, timings[k].nanoseconds, timings[k].ratio, {}, {}, {}};
+        for (const auto& family : families) result.families.push_back(score(methods[k], family));
+        result.overall = combine(result.families);
+        results.push_back(std::move(result));
+    }
+    return results;
+}
+
+double leaksPerMillion(const Method<sw::Triangle>& method, int rays) {
+    int leaks = 0;
+    for (int i = 0; i < rays; ++i) {
+        const EdgeCase edge = edgeCase(i);
+        sw::Intersection hit;
+        const auto hits = [&](const sw::Triangle& triangle) {
+            return method.make(triangle)->intersect(edge.ray, hit);
+        };
+        if (!hits(edge.triangles[0]) && !hits(edge.triangles[1])) ++leaks;
+    }
+    return 1e6 * leaks / rays;
+}
+
+void run(const StabilityOptions& options) {
+    const Effort& effort = options.quick ? quickLook : full;
+    std::error_code error;
+    fs::create_directories(options.output, error);  // requireWritable says what went wrong
+    const fs::path csv = options.output / "stability.csv";
+    sw::requireWritable(csv);
+
+    std::vector<MethodResult> results =
+        examine("sphere", sphereMethods(), sphereFamilies(effort.cases), effort);
+    const auto methods = triangleMethods();
+    auto triangles = examine("triangle", methods, triangleFamilies(effort.cases), effort);
+    for (std::size_t k = 0; k < methods.size(); ++k)
+        triangles[k].leaksPerMillion = leaksPerMillion(methods[k], effort.edgeRays);
+    results.insert(results.end(), triangles.begin(), triangles.end());
+
+    std::cout << machine() << "\n\n" << toTable(results) << "\n";
+    sw::writeFile(csv, toCsv(results));
+    std::cout << fs::absolute(csv).lexically_normal().string() << "\n"
+              << plot(results, options.output) << std::endl;
+}
+
+}  // namespace
+
+void addStability(CLI::App& app) {
+    const auto options = std::make_shared<StabilityOptions>();
+    CLI::App* command = app.add_subcommand(
+        "stability", "Error against run time of intersection kernels, over hard cases.");
+    command->add_option("-o,--output", options->output, "folder for stability.csv, .svg and .png")
+        ->capture_default_str();
+    command->add_flag("--quick", options->quick, "few cases: to see that it works");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace report

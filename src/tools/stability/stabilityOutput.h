@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/stability/stability.h"
+
+namespace report {
+
+/// The table for people, in Markdown.
+std::string toTable(const std::vector<MethodResult>& results);
+
+/// The table for programs: a line per method and family, and one per method for `all`.
+std::string toCsv(const std::vector<MethodResult>& results);
+
+/// Draws stability.svg and stability.png into a folder.
+/// @return  one line: what was drawn, or why nothing was
+std::string plot(const std::vector<MethodResult>& results, const std::filesystem::path& folder);
+
+}  // namespace report

@@ -1,0 +1,242 @@
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include "accel/bvhSupport.h"
+#include "swSphere.h"
+#include "swTriangle.h"
+
+using namespace sw;
+using namespace test;
+
+namespace {
+
+constexpr float inf = Bounds::infinity;
+
+// Small triangles and spheres, all over a cube or on a sphere's surface.
+struct Shapes {
+    std::vector<Sphere> spheres;
+    std::vector<Triangle> triangles;  // numbered after the spheres
+
+    Shapes(Random& random, int n, float scale) {
+        for (int i = 0; i < n; ++i) {
+            const Vec3 p = random.coin() ? random.point(10) : random.direction() * 10;
+            const Vec3 v[] = {p * scale, (p + random.point(2)) * scale,
+                              (p + random.point(2)) * scale};
+            if (random.coin())
+                spheres.push_back(Sphere(v[0], scale * random.magnitude(1e-2, 2), Material()));
+            else
+                triangles.push_back(Triangle(v, Material()));
+        }
+    }
+    std::vector<Bounds> boxes() const {
+        std::vector<Bounds> all;
+        for (const auto& s : spheres) all.push_back(s.bounds());
+        for (const auto& t : triangles) all.push_back(t.bounds());
+        return all;
+    }
+    // Shortens the ray to the hit, if there is one.
+    bool hit(std::size_t i, Ray& ray) const {
+        Intersection hit;
+        const std::size_t n = spheres.size();
+        if (!(i < n ? spheres[i].intersect(ray, hit) : triangles[i - n].intersect(ray, hit)))
+            return false;
+        ray.maxT = hit.hitT;
+        return true;
+    }
+};
+
+// Where the ray ends: at the nearest hit, or at its maxT.
+float bruteForce(const Shapes& shapes, std::size_t n, Ray ray) {
+    for (std::size_t i = 0; i < n; ++i) shapes.hit(i, ray);
+    return ray.maxT;
+}
+
+float throughTree(const Shapes& shapes, const Bvh& bvh, Ray ray, bool any) {
+    const auto leaf = [&](std::uint32_t first, std::uint32_t count, float& maxT) {
+        bool found = false;
+        for (const auto i : bvh.order().subspan(first, count)) found |= shapes.hit(i, ray);
+        maxT = ray.maxT;
+        return any && found;
+    };
+    bvh.traverse(ray, leaf);
+    return ray.maxT;
+}
+
+}  // namespace
+
+TEST_CASE("every primitive lies in one leaf and every box in its parent's") {
+    const auto seed = GENERATE(range(0u, 140u));
+    Random random(seed);
+    const auto kind = static_cast<Kind>(seed % static_cast<unsigned>(Kind::kinds));
+    const int n = seed < 40 ? random.whole(0, 40) : random.whole(0, 5000);
+    const int leafSize = random.whole(1, 8);
+    const float scale = std::ldexp(1.0f, random.whole(-30, 30));
+    CAPTURE(seed, n, leafSize, scale);
+    const auto boxes = randomBoxes(random, kind, n, scale);
+    checkTree(Bvh(boxes, leafSize), boxes, leafSize);
+}
+
+TEST_CASE("no box that a ray meets is missed by rounding") {
+    const auto seed = GENERATE(range(0u, 280u));
+    Random random(seed);
+    const auto kind = static_cast<Kind>(seed % static_cast<unsigned>(Kind::kinds));
+    const float scale = seed % 5 == 0   ? 1e29f
+                        : seed % 5 == 1 ? 1.0f
+                                        : std::ldexp(1.0f, random.whole(-30, 30));
+    const auto boxes = kind == Kind::hugeBesideTiny && scale > 1e15f
+                           ? randomBoxes(random, kind, random.whole(1, 200), 1)
+                           : randomBoxes(random, kind, random.whole(1, 200), scale);
+    const Bvh bvh(boxes, random.whole(1, 8));
+    int missed = 0, twice = 0, met = 0;
+    for (int k = 0; k < 200; ++k) {
+        const auto i =
+            static_cast<std::size_t>(random.whole(0, static_cast<int>(boxes.size()) - 1));
+        const Ray ray = randomRay(random, boxes[i], scale);
+        const auto times = reached(bvh, ray);
+        for (std::size_t j = 0; j < boxes.size(); ++j) {
+            if (meets(ray, boxes[j])) ++met, missed += times[j] == 0;
+            twice += times[j] > 1;
+        }
+    }
+    CAPTURE(seed, scale, met);
+    CHECK(missed == 0);
+    CHECK(twice == 0);
+}
+
+TEST_CASE("the tree finds exactly the linear scan's hits") {
+    const auto seed = GENERATE(range(0u, 60u));
+    Random random(seed);
+    const float scale = std::ldexp(1.0f, random.whole(-30, 30));
+    const Shapes shapes(random, seed < 20 ? random.whole(0, 20) : random.whole(0, 3000), scale);
+    const auto boxes = shapes.boxes();
+    const Bvh bvh(boxes, random.whole(1, 8));
+    int different = 0;
+    for (int k = 0; k < 200; ++k) {
+        Ray ray(random.point(12) * scale, random.direction() * random.magnitude(1e-3, 1e3));
+        if (random.coin()) ray.maxT = 10 * scale / ray.dir.norm();
+        if (random.whole(0, 3) == 0) ray.minT = -ray.maxT;
+        const float expected = bruteForce(shapes, boxes.size(), ray);
+        different += throughTree(shapes, bvh, ray, false) != expected;
+        different += (throughTree(shapes, bvh, ray, true) < ray.maxT) != (expected < ray.maxT);
+    }
+    CAPTURE(seed, scale, boxes.size());
+    CHECK(different == 0);
+}
+
+TEST_CASE("only the tree's depth grows with its size") {
+    const int few = 32, many = 1000;
+    const Bvh small(terrain(few)), large(terrain(many));
+    Random random(1);
+    double smallNodes = 0, largeNodes = 0, largePrimitives = 0;
+    const int rays = 2000;
+    for (int k = 0; k < rays; ++k) {
+        const Vec3 above(random.real(0, 1), random.real(0, 1), 3);
+        const Vec3 target(random.real(0, 1), random.real(0, 1), 0);
+        const Ray ray(above, (target - above) * (1 - 1e-3f));
+        smallNodes += static_cast<double>(costOfMiss(small, ray).nodes);
+        largeNodes += static_cast<double>(costOfMiss(large, ray).nodes);
+        largePrimitives += static_cast<double>(costOfMiss(large, ray).primitives);
+    }
+    CAPTURE(smallNodes / rays, largeNodes / rays, largePrimitives / rays);
+    CHECK(largeNodes < 3 * smallNodes);
+    CHECK(largeNodes < 20 * rays);
+    CHECK(largePrimitives < 50 * rays);
+    CHECK(large.bytes() < 25u * many * many);
+}
+
+TEST_CASE("a million equal boxes make a shallow tree") {
+    const std::vector<Bounds> boxes(1'000'000, Bounds({1, 2, 3}, {4, 5, 6}));
+    const Bvh bvh(boxes, 8, 2);
+    checkTree(bvh, boxes, 8);
+    Inspection inspection{bvh, boxes, 8};
+    inspection.walk(0, bvh.bounds(), 1);
+    CHECK(inspection.depth <= 7);
+    CHECK(costOfMiss(bvh, Ray({0, 0, 0}, {2, 3, 4})).primitives == boxes.size());
+    CHECK(costOfMiss(bvh, Ray({0, 0, 0}, {-2, 3, 4})).nodes == 1);
+}
+
+TEST_CASE("the tree is the same for any number of threads") {
+    Random random(7);
+    const auto boxes = randomBoxes(random, Kind::scattered, 50'000, 1);
+    const Bvh one(boxes, 8, 1);
+    checkTree(one, boxes, 8);
+    const auto threads = GENERATE(2, 5);
+    const Bvh several(boxes, 8, threads);
+    const auto a = one.tree(), b = several.tree();
+    REQUIRE(a.size() == b.size());
+    CHECK(std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+    CHECK(std::equal(one.order().begin(), one.order().end(), several.order().begin()));
+}
+
+TEST_CASE("for every octant the children stand in order, the nearest last") {
+    Random random(GENERATE(range(0u, 20u)));
+    const auto boxes = randomBoxes(random, Kind::scattered, random.whole(1, 2000), 1);
+    const Bvh bvh(boxes, 4);
+    int twice = 0, outOfOrder = 0;
+    for (const Bvh::Node& node : bvh.tree())
+        for (unsigned octant = 0; octant < 8; ++octant)
+            inspectOrder(node, octant, twice, outOfOrder);
+    CHECK(twice == 0);
+    CHECK(outOfOrder == 0);
+}
+
+TEST_CASE("leaves are reached in the order of their distance") {
+    std::vector<Bounds> boxes;
+    for (int i = 0; i < 1000; ++i) {
+        const float x = static_cast<float>(i * 7919 % 1000);
+        boxes.push_back({{x, 0, 0}, {x + 0.5f, 1, 1}});
+    }
+    const Bvh bvh(boxes, 1);
+    for (const float sign : {1.0f, -1.0f}) {
+        float last = -inf;
+        int outOfOrder = 0;
+        bvh.traverse(Ray({500 - 600 * sign, 0.5f, 0.5f}, {sign, 0, 0}),
+                     [&](std::uint32_t first, std::uint32_t, float&) {
+                         const float along = sign * boxes[bvh.order()[first]].min[0];
+                         outOfOrder += along < last;
+                         last = along;
+                         return false;
+                     });
+        CHECK(outOfOrder == 0);
+    }
+}
+
+TEST_CASE("rays without a place or an interval visit nothing") {
+    const auto boxes = terrain(10);
+    const Bvh bvh(boxes);
+    for (const float bad : {inf, -inf, NAN})
+        for (int i = 0; i < 3; ++i) {
+            Ray ray({0.5f, 0.5f, 3}, {0, 0, -1});
+            ray.orig[i] = bad;
+            CHECK(costOfMiss(bvh, ray).nodes == 0);
+            ray = Ray({0.5f, 0.5f, 3}, {0, 0, -1});
+            ray.dir[i] = bad;
+            CHECK(costOfMiss(bvh, ray).nodes == 0);
+        }
+    CHECK(costOfMiss(bvh, Ray({0.5f, 0.5f, 3}, {0, 0, -1}, 1, 1)).nodes == 0);
+    CHECK(costOfMiss(bvh, Ray({0.5f, 0.5f, 3}, {0, 0, -1}, 0, NAN)).nodes == 0);
+    CHECK(costOfMiss(bvh, Ray({0.5f, 0.5f, 3}, {0, 0, -1}, NAN, 1)).nodes == 0);
+}
+
+TEST_CASE("a tree of nothing is no trouble") {
+    for (const Bvh& bvh : {Bvh(), Bvh(std::vector<Bounds>())}) {
+        CHECK(bvh.order().empty());
+        CHECK(bvh.bytes() == 0);
+        CHECK(!bvh.bounds().isFinite());
+        CHECK(costOfMiss(bvh, Ray({0, 0, 0}, {0, 0, 1})).nodes == 0);
+    }
+    REQUIRE_THROWS_AS(Bvh({}, 0), std::invalid_argument);
+    REQUIRE_THROWS_AS(Bvh({}, 9), std::invalid_argument);
+}
+
+TEST_CASE("a direction whose reciprocal overflows still reaches what it meets") {
+    const std::vector<Bounds> boxes = {{{1e-6f, -1, 0}, {2e-6f, 1, 3}}};
+    const Bvh bvh(boxes);
+    for (const float minT : {0.0f, -1.0f}) {
+        const Ray ray({0, 0, 0}, {1e-40f, 0, 1e-34f}, minT);
+        REQUIRE(meets(ray, boxes[0]));
+        CHECK(costOfMiss(bvh, ray).primitives == 1);
+    }
+}

@@ -1,0 +1,104 @@
+#include "accel/flatShapes.h"
+
+#include <bit>
+#include <numeric>
+
+#include "support.h"
+#include "testScenes.h"
+
+using namespace sw;
+using namespace test;
+
+namespace {
+
+std::vector<std::uint32_t> numbersTo(std::size_t count) {
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
+
+// Pushes a parallelogram, as the reader does with a polygon of four vertices.
+void pushWall(std::vector<Triangle>& walls, const Vec3& corner, const Vec3& a, const Vec3& b) {
+    const Vec3 v[] = {corner, corner + a, corner + a + b, corner + b};
+    const Vec3 w[] = {v[0], v[2], v[3]};
+    walls.emplace_back(v, Material());
+    walls.emplace_back(w, Material());
+}
+
+// The room of the lab: floor, ceiling, back and two sides.
+std::vector<Triangle> room() {
+    const Vec3 wide(40, 0, 0), high(0, 40, 0), deep(0, 0, 100);
+    std::vector<Triangle> walls;
+    pushWall(walls, Vec3(-20, 0, -50), wide, deep);
+    pushWall(walls, Vec3(-20, 40, -50), deep, wide);
+    pushWall(walls, Vec3(-20, 0, -50), high, wide);
+    pushWall(walls, Vec3(-20, 0, -50), deep, high);
+    pushWall(walls, Vec3(20, 0, -50), high, deep);
+    return walls;
+}
+
+}  // namespace
+
+TEST_CASE("the ten triangles of a room take five lanes of one block") {
+    const std::vector<Triangle> walls = room();
+    auto pending = numbersTo(walls.size());
+    const TriangleBlock block(walls, pending);
+    CHECK(pending.empty());
+}
+
+TEST_CASE("triangles that make no parallelogram take a lane each") {
+    Random random(GENERATE(range(0u, 20u)));
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 9; ++i) {
+        const Vec3 v[] = {random.point(1), random.point(1), random.point(1)};
+        triangles.emplace_back(v, Material());
+    }
+    auto pending = numbersTo(triangles.size());
+    const TriangleBlock first(triangles, pending);
+    REQUIRE(pending == std::vector<std::uint32_t>{8});
+    const TriangleBlock second(triangles, pending);
+    CHECK(pending.empty());
+}
+
+TEST_CASE("a ray in a room is tested against hardly more than what it hits") {
+    const std::vector<Triangle> walls = room();
+    auto pending = numbersTo(walls.size());
+    const TriangleBlock block(walls, pending);
+    Random random(1);
+    int candidates = 0, hits = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Ray ray(Vec3(0, 20, 0) + random.point(19), random.direction());
+        const unsigned found = block.candidates(FilterRay(ray));
+        candidates += std::popcount(found);
+        for (std::size_t k = 0; k < walls.size(); ++k) {
+            Intersection hit;
+            if (!walls[k].intersect(ray, hit)) continue;
+            ++hits;
+            bool isCandidate = false;
+            for (int bit = 0; bit < 2 * simd::lanes; ++bit)
+                if ((found >> bit & 1) != 0) isCandidate |= block.number(bit) == k;
+            CHECK(isCandidate);
+        }
+    }
+    CHECK(hits > 8000);
+    CHECK(candidates <= hits + hits / 100);
+}
+
+TEST_CASE("a ray among spheres is tested against hardly more than what it hits") {
+    Random random(2);
+    std::vector<Sphere> spheres;
+    for (int i = 0; i < 8; ++i) spheres.emplace_back(random.point(5), 1.0f, Material());
+    auto pending = numbersTo(spheres.size());
+    const SphereBlock block(spheres, pending);
+    int candidates = 0, hits = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Ray ray(random.point(8), random.direction());
+        candidates += std::popcount(block.candidates(FilterRay(ray)));
+        for (const Sphere& sphere : spheres) {
+            Intersection hit;
+            hits += sphere.intersect(ray, hit);
+        }
+    }
+    CHECK(hits > 500);
+    CHECK(candidates <= hits + hits / 100);
+}

@@ -1,0 +1,61 @@
+#include "support.h"
+#include "swNff.h"
+#include "swRenderer.h"
+#include "tools/common/mainFunctions.h"
+#include "tools/generators/scenes.h"
+
+using namespace sw;
+
+// Eric Haines' documentation of the Standard Procedural Databases says how many rays any classical
+// ray tracer casts for its scenes, "within about 10 %": at 512 x 512 pixels with rays through their
+// corners, and trees of rays five levels high.
+
+namespace {
+
+RayCount raysOf(const std::string& text) {
+    NffScene file = parseNff(text, "generated");
+    file.camera.setup(512, 512);
+    const auto corner = [&](int x, int y) {
+        return lab::traceRay(file.camera.getRay(static_cast<float>(x), static_cast<float>(y)),
+                             file.scene, 4);
+    };
+    return renderCorners({0, 0, 512, 512}, corner).rays;
+}
+
+struct Published {
+    double eyeHits, reflected, refracted, shadow;
+};
+
+void check(double count, double published) {
+    CAPTURE(count, published);
+    CHECK(std::fabs(count - published) <= 0.1 * published);
+}
+
+void check(const RayCount& rays, const Published& published) {
+    CHECK(rays[RayKind::primary] == 513 * 513);
+    check(static_cast<double>(rays.hitsOf(RayKind::primary)), published.eyeHits);
+    check(static_cast<double>(rays[RayKind::reflected]), published.reflected);
+    check(static_cast<double>(rays[RayKind::refracted]), published.refracted);
+    check(static_cast<double>(rays[RayKind::shadow]), published.shadow);
+}
+
+}  // namespace
+
+TEST_CASE("balls cost as many rays as published") {
+    check(raysOf(scenes::balls(4)), {263169, 175095, 0, 954368});
+}
+
+TEST_CASE("tetra costs as many rays as published") {
+    check(raysOf(scenes::tetra(6)), {49788, 0, 0, 46112});
+}
+
+// The published counts contain shadow rays from glass that scatters none of their light, which we
+// leave out. Here it scatters a little.
+TEST_CASE("mount costs as many rays as published") {
+    std::string text = scenes::mount(6);
+    const std::string glass = "f 1 1 1 0 0.1 0 0.9 1.5";
+    const auto at = text.find(glass);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, glass.size(), "f 1 1 1 0.01 0.1 0 0.89 1.5");
+    check(raysOf(text), {173125, 354769, 354769, 412922});
+}
