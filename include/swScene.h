@@ -1,4 +1,5 @@
-#pragma once
+#ifndef SW_SCENE_H
+#define SW_SCENE_H
 
 #include <cstddef>
 #include <memory>
@@ -64,3 +65,5 @@ private:
 };
 
 }  // namespace sw
+
+#endif

@@ -40,7 +40,7 @@ inline std::string tried(const Bend& bend, const Place& place) {
 }
 
 inline const std::string refractionNotYet =
-    "getRefractedRay() in swIntersection.cpp still returns its placeholder, an empty ray: this is "
+    "getRefractedRay() in swIntersection.cpp still returns an empty ray: this is "
     "where task 5 begins";
 
 inline std::string invertedHint(bool entering) {

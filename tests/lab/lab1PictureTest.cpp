@@ -33,14 +33,14 @@ Scene spheres() {
 
 }  // namespace
 
-TEST_CASE("lamps round some spheres: the picture", "[lab1]") {
+TEST_CASE("lights round some spheres: the picture", "[lab1]") {
     Scene scene = spheres();
     scene.push(Light({-6, 7, 9}, {0.8f, 0.8f, 0.8f}));
     scene.push(Light({9, -3, 4}, {0.1f, 0.15f, 0.5f}));
     const Image image = lab::photo(Camera(eye, {0, 0, 0}, {0, 1, 0}, 40),
                                    [&](const Ray& ray) { return lab::traceRay(ray, scene, 0); });
     lab::expectPicture("lab1-spheres", image, 2, 8,
-                       {"three spheres under a white and a blue lamp",
-                        "look for the place that differs most, and ask for both lamps how the "
+                       {"three spheres under a white and a blue light",
+                        "look for the place that differs most, and ask for both lights how the "
                         "surface is turned to them there"});
 }

@@ -39,7 +39,7 @@ void expectWithin(float minT, float maxT, bool met, const char* hint) {
 }
 
 constexpr const char* past =
-    "a hit counts only before maxT: shadow rays end at the lamp, and nearer things hide others";
+    "a hit counts only before maxT: shadow rays end at the light, and nearer things hide others";
 constexpr const char* early =
     "a hit counts only after minT: what leaves a surface must not meet it again";
 

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "lab/lampAndFloor.h"
+#include "lab/lightAndFloor.h"
 #include "lab/photo.h"
 
 using namespace lab;
@@ -8,14 +8,14 @@ using namespace sw;
 
 namespace {
 
-// What the eye sees of spheres. The lamp is where the eye is, so all of that is lit.
+// What the eye sees of spheres. The light is where the eye is, so all of that is lit.
 struct Lit {
     int points = 0, black = 0;
     Vec3 blackPoint;
 };
 
-// Looks at spheres of that size in several places. They all lie between lamp and origin, so that
-// even a lamp's place, taken for the direction to it (task 1), lights what the lamp does.
+// Looks at spheres of that size in several places. They all lie between light and origin, so that
+// even a light's place, taken for the direction to it (task 1), lights what the light does.
 Lit look(float radius, float farAway) {
     Lit lit;
     for (const Vec3& side : {Vec3(0.48f, 0.6f, 0.64f), Vec3(-0.8f, 0, 0.6f), Vec3(0, -1, 0)}) {
@@ -46,19 +46,19 @@ TEST_CASE("a sphere casts no shadow on its own lit side", "[lab3]") {
         const Lit lit = look(radius, farAway);
         if (lit.black == 0) continue;
         fail({"spheres of radius " + lab::text(radius) + " at a distance of " + lab::text(farAway) +
-                  " from (0, 0, 0), each alone with a lamp",
+                  " from (0, 0, 0), each alone with a light",
               std::to_string(lit.black) + " of " + std::to_string(lit.points) +
                   " lit points are black, as " + lab::text(lit.blackPoint),
               "none",
               lit.black == lit.points
-                  ? "nothing hides the lamp, and still everything is dark: is this a shadow, or "
+                  ? "nothing hides the light, and still everything is dark: is this a shadow, or "
                     "task 1?"
                   : "the surface shadows itself: its points are rounded and lie a little below or "
                     "above it, so the shadow ray must start a little off"});
     }
 }
 
-// Only the floor is asked for its colour, from where it faces the lamp; and that only for black or
+// Only the floor is asked for its colour, from where it faces the light; and that only for black or
 // not. So the state of task 1 does not matter.
 TEST_CASE("balls over a floor: the picture of light and shadow", "[lab3]") {
     Scene scene = floorUnder({Light({3, -2, 8})});
@@ -77,6 +77,6 @@ TEST_CASE("balls over a floor: the picture of light and shadow", "[lab3]") {
     expectPicture("lab3-shadows", image, 2, 12,
                   {"where the floor is lit (white) and where it is in shadow (black); the balls "
                    "themselves are grey",
-                   "follow the line from a wrong point to the lamp: does a ball stand on it, and "
+                   "follow the line from a wrong point to the light: does a ball stand on it, and "
                    "between the two?"});
 }

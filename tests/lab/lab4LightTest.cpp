@@ -4,7 +4,7 @@
 using namespace lab;
 using namespace sw;
 
-// Mirrors among lamps. How bright the lamps make a surface is not asked here: the same surface is
+// Mirrors among lights. How bright the lights make a surface is not asked here: the same surface is
 // compared with itself.
 
 namespace {
@@ -12,7 +12,7 @@ namespace {
 const std::string notYet =
     "nothing of what the mirrored ray sees arrives: traceRay() has to ask itself for it";
 
-// A painted surface with a lamp at the eye, which sees the sky where it is mirrored.
+// A painted surface with a light at the eye, which sees the sky where it is mirrored.
 Color lit(float r) {
     World world;
     const Vec3 eye(0, 0, 50);
@@ -53,28 +53,28 @@ TEST_CASE("scattered and mirrored light together weigh 1", "[lab4]") {
 
 namespace {
 
-enum class Lamps { none, lit, hidden };
+enum class Lights { none, lit, hidden };
 
-// A perfect mirror that shows the sky; a black ball may stand between it and a lamp.
-Color mirrorUnder(Lamps lamps) {
+// A perfect mirror that shows the sky; a black ball may stand between it and a light.
+Color mirrorUnder(Lights lights) {
     World world;
     world.push(Pane(0, 1, opaque(1, Color(0.9f, 0.5f, 0.2f))));
-    if (lamps != Lamps::none) world.push(Light(Vec3(0, 0, 100), Color(1, 1, 1)));
-    if (lamps == Lamps::hidden) world.push(Sphere(Vec3(0, 0, 50), 10, opaque()));
+    if (lights != Lights::none) world.push(Light(Vec3(0, 0, 100), Color(1, 1, 1)));
+    if (lights == Lights::hidden) world.push(Sphere(Vec3(0, 0, 50), 10, opaque()));
     return world.colorOf(Ray(Vec3(-50, 0, 50), Vec3(1, 0, -1)), 1);
 }
 
 }  // namespace
 
 TEST_CASE("a mirror in the shadow still mirrors", "[lab4]") {
-    const Color got = mirrorUnder(Lamps::hidden);
+    const Color got = mirrorUnder(Lights::hidden);
     if (alike(got, sky, 1e-3f)) return;
-    const Color unlit = mirrorUnder(Lamps::none);
-    const std::string more = "a perfect mirror scatters nothing, so lamps change nothing on it";
+    const Color unlit = mirrorUnder(Lights::none);
+    const std::string more = "a perfect mirror scatters nothing, so lights change nothing on it";
     const std::string dark =
         "black is returned in the shadow before the mirror has its turn: a "
-        "shadow takes one lamp's scattered light away and nothing else";
-    fail({"a perfect mirror in a ball's shadow; without lamps it shows " + text(unlit), text(got),
+        "shadow takes one light's scattered light away and nothing else";
+    fail({"a perfect mirror in a ball's shadow; without lights it shows " + text(unlit), text(got),
           text(sky), !alike(unlit, sky) ? notYet : hintFor(got, {{Color(0, 0, 0), dark}}, more)});
 }
 

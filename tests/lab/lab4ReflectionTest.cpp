@@ -14,7 +14,7 @@ struct Mirrored {
 // d: the unit direction of the ray that comes in.
 std::string directionHint(const Ray& got, const Vec3& d, const Mirrored& m) {
     if (isEmpty(got)) {
-        return "getReflectedRay() in swIntersection.cpp still returns its placeholder, an empty "
+        return "getReflectedRay() in swIntersection.cpp still returns an empty "
                "ray: this is where task 4 begins";
     }
     if (!isNumber(got.dir)) return "only sums and products are needed here: where is a NaN born?";

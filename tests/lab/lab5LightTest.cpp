@@ -10,7 +10,7 @@ namespace {
 
 const float glassIndex = 1.3f;
 
-// A painted surface before the sky, with a lamp at the eye.
+// A painted surface before the sky, with a light at the eye.
 Color lit(float t) {
     World world;
     const Vec3 eye(0, 0, 50);
@@ -65,7 +65,7 @@ TEST_CASE("what gets through comes on top of what is mirrored", "[lab5]") {
     const Color got = seen(t) - opaqueColor, expected = t * sky;
     if (alike(got, expected)) return;
     fail(
-        {"glass of reflectivity 0.25 and transparency 0.5 without lamps; with transparency 0 it "
+        {"glass of reflectivity 0.25 and transparency 0.5 without lights; with transparency 0 it "
          "is " +
              text(opaqueColor),
          text(got) + " more than that", text(expected) + " more than that",

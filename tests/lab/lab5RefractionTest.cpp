@@ -124,7 +124,7 @@ TEST_CASE("where no ray gets out of the glass all light is reflected", "[lab5]")
             // Right or wrong, that is task 4.
             if (same(got, hit.getReflectedRay())) {
                 if (!isEmpty(got)) continue;
-                // Its placeholder: then the refracted ray must be one elsewhere.
+                // The starter's: then the refracted ray must be one elsewhere.
                 if (!isEmpty(
                         hitBy(place.normal * -1, place.normal, glass(1, 1.5f)).getRefractedRay()))
                     continue;

@@ -10,7 +10,7 @@ using namespace sw;
 namespace {
 
 const std::string notYet =
-    "samplePixel() in main.cpp takes a single sample, as its placeholder does: this is where task "
+    "samplePixel() in main.cpp takes a single sample, as the starter does: this is where task "
     "6 begins";
 
 // Asks for a pixel; returns the rays from the eye, in order, as the camera made them: the witness

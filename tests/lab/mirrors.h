@@ -113,7 +113,7 @@ inline sw::Vec3 unit(sw::Vec3 v) {
     return v.normalize();
 }
 
-/// What the placeholders of getReflectedRay() and getRefractedRay() return.
+/// What the starter's getReflectedRay() and getRefractedRay() return.
 inline bool isEmpty(const sw::Ray& ray) {
     return ray.dir.isZero() || !(ray.minT < ray.maxT);
 }

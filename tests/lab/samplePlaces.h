@@ -24,7 +24,7 @@ inline bool samePart(float a, float b) {
 inline std::string countHint(const Samples& samples) {
     const int n = samples.n, count = static_cast<int>(samples.pixels[0].size());
     if (count == 1) {
-        return "samplePixel() in main.cpp takes a single sample, as its placeholder does: this is "
+        return "samplePixel() in main.cpp takes a single sample, as the starter does: this is "
                "where task 6 begins";
     }
     if (count == n)

@@ -1,0 +1,61 @@
+# cmake -D PROJECT=... -D KIT=... -P makeKit.cmake
+# Makes the students' kit in the new folder KIT: the files below, on top of them the starter files
+# (whole files in the place of solved ones) and what only the kit has.
+cmake_minimum_required(VERSION 3.21)
+
+set(contents
+  .clang-format
+  CMakeLists.txt
+  LICENSE
+  external/*.txt external/setup.sh external/stb/*
+  include/sw*.h
+  scenes/glass.nff scenes/lights.nff scenes/mirrors.nff scenes/one-triangle.nff scenes/spheres.nff
+  src/CMakeLists.txt src/sw*.cpp
+  src/app/*
+  src/nff/nff*.h src/nff/nffShapes.cpp src/nff/nffSpheres.cpp src/nff/nffTokens.cpp
+  src/nff/nffView.cpp src/nff/plainText.* src/nff/swNff.cpp
+  src/rayTree/*
+  src/sampling/swErrorEstimate.cpp src/sampling/swMetrics.cpp
+  src/tools/CMakeLists.txt src/tools/common/html.* src/tools/common/mainFunctions.*
+  tests/CMakeLists.txt tests/catch.h tests/files.h tests/main.cpp tests/support.*
+  tests/cameraTest.cpp tests/samplingTest.cpp tests/sphereTest.cpp tests/vec3Test.cpp
+  tests/lab/CMakeLists.txt tests/lab/*.cpp tests/lab/*.h tests/lab/pictures/*
+  tests/lab/report/*)
+
+# Of rooms that the six tasks do not need.
+set(left_out
+  include/swAdaptive.h include/swBvh.h include/swCone.h include/swPatch.h include/swSamplePattern.h
+  src/app/sampling.cpp src/swCone.cpp src/swPatch.cpp
+  tests/lab/report/*Test.cpp tests/lab/report/labBuild.h)
+
+function(listed result patterns)
+  list(TRANSFORM patterns PREPEND ${PROJECT}/)
+  file(GLOB files RELATIVE ${PROJECT} ${patterns})
+  set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
+# copy(FROM file...): each to the same place in the kit.
+function(copy from)
+  foreach(file ${ARGN})
+    cmake_path(GET file PARENT_PATH folder)
+    file(COPY ${from}/${file} DESTINATION ${KIT}/${folder})
+  endforeach()
+endfunction()
+
+listed(files "${contents}")
+listed(none "${left_out}")
+list(REMOVE_ITEM files ${none})
+copy(${PROJECT} ${files})
+
+set(own ${PROJECT}/src/tools/kit)
+file(GLOB_RECURSE starters RELATIVE ${own}/starter ${own}/starter/*)
+foreach(file ${starters})
+  set(place src/${file})
+  if(file MATCHES "^include/")
+    set(place ${file})
+  endif()
+  cmake_path(GET place PARENT_PATH folder)
+  file(COPY ${own}/starter/${file} DESTINATION ${KIT}/${folder})
+endforeach()
+file(GLOB_RECURSE extras RELATIVE ${own}/files ${own}/files/*)
+copy(${own}/files ${extras})
