@@ -69,7 +69,6 @@ void requireOneWay(const CLI::App& app, const Options& options) {
             app, "--pixel",
             {"--output", "--samples", "--sampler", "--adaptive", "--target-rmse", "--time-limit",
              "--corners", "--threads", "--crop", "--quiet", "--stats", "--error-image"});
-    if (options.corners) refuseBeside(app, "--corners", {"--samples", "--sampler"});
     checkSamplingOptions(app, options);
 }
 
@@ -96,8 +95,6 @@ Options parseOptions(int argc, const char* const* argv) {
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     addSamplingOptions(app, options.sampling);
-    app.add_flag("--corners", options.corners,
-                 "rays at the corners of pixels, each shared by four, instead of samples");
     app.add_option("--depth", options.depth, "how often a ray may be reflected or refracted")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
@@ -115,9 +112,6 @@ Options parseOptions(int argc, const char* const* argv) {
         ->capture_default_str();
     app.add_flag("--quiet", options.quiet, "print nothing but errors");
     app.add_option("--stats", options.stats, "JSON file for ray counts, times and error");
-    app.add_option("--error-image", options.errorImage,
-                   "PNG of the estimated error: black 0.0001, blue 0.001, red 0.01, yellow 0.1, "
-                   "white 1");
 
     try {
         app.parse(argc, argv);
@@ -125,10 +119,7 @@ Options parseOptions(int argc, const char* const* argv) {
         if (app.count("--crop") > 0) options.crop = readCrop(crop);
         if (app.count("--pixel") > 0) options.pixel = readPixel(pixel);
         requireOneWay(app, options);
-        if (options.corners) options.samples = 1;
-        if (!options.errorImage.empty() && options.samples == 1 && !options.sampling.isAdaptive())
-            throw UsageError(
-                "--error-image: expected --samples 2 or more, found one sample per pixel");
+        if (options.sampling.corners) options.samples = 1;
         if (!(options.gamma > 0)) throw UsageError("--gamma: expected a number, found NaN");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help, --version

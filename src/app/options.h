@@ -19,19 +19,17 @@ struct Pixel {
 struct Options {
     std::filesystem::path scene;  ///< the lab's, where none is named
     std::filesystem::path output = "out.png";
-    int width = 0, height = 0;         ///< pixels; 0: the scene's own resolution
-    int samples = 3;                   ///< per side of the grid in every pixel
-    SamplingOptions sampling;          ///< in other ways
-    bool corners = false;              ///< shoot rays at the pixels' corners instead; samples is 1
-    int depth = 3;                     ///< of the recursion: 0 traces primary rays alone
-    int threads = 0;                   ///< 0: one per hardware thread
-    std::uint64_t seed = 1;            ///< of the jitter
-    std::optional<sw::Window> crop;    ///< render only this part of the picture
-    std::optional<Pixel> pixel;        ///< print the rays behind it, and render nothing
-    float gamma = 2.2f;                ///< of the PNG
-    bool quiet = false;                ///< neither progress nor summary
-    std::filesystem::path stats;       ///< JSON file for statistics; empty: none
-    std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none
+    int width = 0, height = 0;       ///< pixels; 0: the scene's own resolution
+    int samples = 3;                 ///< per side of the grid in every pixel
+    SamplingOptions sampling;        ///< in other ways
+    int depth = 3;                   ///< of the recursion: 0 traces primary rays alone
+    int threads = 0;                 ///< 0: one per hardware thread
+    std::uint64_t seed = 1;          ///< of the jitter
+    std::optional<sw::Window> crop;  ///< render only this part of the picture
+    std::optional<Pixel> pixel;      ///< print the rays behind it, and render nothing
+    float gamma = 2.2f;              ///< of the PNG
+    bool quiet = false;              ///< neither progress nor summary
+    std::filesystem::path stats;     ///< JSON file for statistics; empty: none
 };
 
 /// A command line that makes no sense. The message says what to do instead.

@@ -4,10 +4,9 @@
 #include <iostream>
 #include <new>
 
-#include "app/picture.h"
 #include "app/pixelTree.h"
+#include "app/progressBar.h"
 #include "swFile.h"
-#include "swMetrics.h"
 #include "swSampling.h"
 
 using namespace sw;
@@ -15,7 +14,7 @@ using namespace sw;
 const NffScene& Run::loadScene() {
     file = loadNff(options.scene, options.pixel ? &shapes : nullptr);
     settleSize(options, file->width, file->height);
-    for (const auto& path : {options.output, options.stats, options.errorImage})
+    for (const auto& path : {options.output, options.stats, options.sampling.errorImage})
         if (!options.pixel && !path.empty()) requireWritable(path);
     if (!options.quiet) printWarnings(file->warnings);
     seconds.load = watch.lap();
@@ -39,7 +38,13 @@ void Run::render(const rayTree::Trace& traceRay,
     const auto radiance = [&](float x, float y) {
         return traceRay(file->camera.getRay(x, y), file->scene, options.depth);
     };
-    result = renderPicture(options, radiance, samplePixel);
+    const RenderOptions how{.threads = options.threads,
+                            .seed = options.seed,
+                            .progress = makeProgressBar(options.quiet),
+                            .pattern = options.sampling.pattern,
+                            .samples = options.samples};
+    result = renderOtherwise(options, how, radiance);
+    if (!result) result = sw::render(*options.crop, samplePixel, how);
     seconds.trace = watch.lap();
 }
 
@@ -49,7 +54,7 @@ void Run::write() {
         return;
     }
     writePng(result->image, options.output, options.gamma);
-    if (!options.errorImage.empty()) writePng(heatMap(result->errors), options.errorImage);
+    writeErrorImage(options.sampling, *result);
     seconds.write = watch.lap();
 
     if (!options.stats.empty())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 
@@ -13,9 +14,11 @@ struct Options;
 /// Ways of taking samples other than the lab's own samplePixel().
 struct SamplingOptions {
     sw::SamplePattern pattern = sw::SamplePattern::jitter;
-    float tolerance = 0;   ///< adaptive: of each pixel's estimated error; 0: none
-    float targetRmse = 0;  ///< adaptive: of the picture's estimated error; 0: none
-    double timeLimit = 0;  ///< adaptive: in seconds; 0: none
+    float tolerance = 0;               ///< adaptive: of each pixel's estimated error; 0: none
+    float targetRmse = 0;              ///< adaptive: of the picture's estimated error; 0: none
+    double timeLimit = 0;              ///< adaptive: in seconds; 0: none
+    bool corners = false;              ///< shoot rays at the pixels' corners instead; samples is 1
+    std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none
 
     /// Whether as many samples are taken in each pixel as its error asks for.
     bool isAdaptive() const { return tolerance > 0 || targetRmse > 0 || timeLimit > 0; }
@@ -33,3 +36,7 @@ void checkSamplingOptions(const CLI::App& app, const Options& options);
 std::optional<sw::RenderResult> renderOtherwise(
     const Options& options, const sw::RenderOptions& how,
     const std::function<sw::Color(float x, float y)>& radiance);
+
+/// Writes the error image, if the command line asks for it.
+/// @throws sw::FileError
+void writeErrorImage(const SamplingOptions& options, const sw::RenderResult& result);

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "support.h"
-#include "swRenderer.h"
+#include "swCorners.h"
 #include "swSampling.h"
 #include "tools/common/mainFunctions.h"
 

@@ -1,6 +1,6 @@
 #include "support.h"
+#include "swCorners.h"
 #include "swNff.h"
-#include "swRenderer.h"
 #include "tools/common/mainFunctions.h"
 #include "tools/generators/scenes.h"
 

@@ -24,7 +24,8 @@ set(contents
 
 # Of rooms that the six tasks do not need.
 set(left_out
-  include/swAdaptive.h include/swBvh.h include/swCone.h include/swPatch.h include/swSamplePattern.h
+  include/swAdaptive.h include/swBvh.h include/swCone.h include/swCorners.h include/swPatch.h
+  include/swSamplePattern.h
   src/app/sampling.cpp src/swCone.cpp src/swPatch.cpp
   tests/lab/report/*Test.cpp tests/lab/report/labBuild.h)
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 
@@ -13,7 +14,8 @@ struct Options;
 /// Ways of taking samples other than samplePixel(): none in this lab.
 struct SamplingOptions {
     sw::SamplePattern pattern = sw::SamplePattern::jitter;
-    bool isAdaptive() const { return false; }
+    bool corners = false;
+    std::filesystem::path errorImage;
 };
 
 inline void addSamplingOptions(CLI::App&, SamplingOptions&) {}
@@ -23,3 +25,5 @@ inline std::optional<sw::RenderResult> renderOtherwise(
     const Options&, const sw::RenderOptions&, const std::function<sw::Color(float x, float y)>&) {
     return std::nullopt;
 }
+
+inline void writeErrorImage(const SamplingOptions&, const sw::RenderResult&) {}

@@ -2,7 +2,7 @@
 #include <mutex>
 
 #include "support.h"
-#include "swRenderer.h"
+#include "swCorners.h"
 
 using namespace sw;
 using namespace test;
