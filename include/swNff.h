@@ -1,23 +1,16 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "swCamera.h"
+#include "swNffError.h"
+#include "swNffShape.h"
 #include "swScene.h"
 
 namespace sw {
-
-/// A scene file that cannot be read. The message is `file:line:column: expected ..., found ...`,
-/// or `file: reason` where the file as a whole is at fault.
-class NffError : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
 
 /// What a scene file describes.
 struct NffScene {
@@ -28,16 +21,6 @@ struct NffScene {
     /// What is odd in the file and yet can be rendered: `file:line:column: warning: ...`, one line
     /// for each kind of oddity, at its first place.
     std::vector<std::string> warnings;
-};
-
-/// A shape as a scene file describes it. A polygon of more than three vertices is several.
-struct NffShape {
-    using Describe = std::string (*)(const Primitive&);
-
-    std::shared_ptr<const Primitive> primitive;
-    int line;                     ///< where its statement begins; the first line is 1
-    const char* kind = "other";   ///< what the format calls it
-    Describe describe = nullptr;  ///< "centre (0, 1, 0), radius 2" for example; null: nothing
 };
 
 /// Reads a scene in Eric Haines' Neutral File Format (Standard Procedural Databases, 1987):

@@ -69,18 +69,10 @@ void requireOneWay(const CLI::App& app, const Options& options) {
             app, "--pixel",
             {"--output", "--samples", "--sampler", "--adaptive", "--target-rmse", "--time-limit",
              "--corners", "--threads", "--crop", "--quiet", "--stats", "--error-image"});
-    checkSamplingOptions(app, options);
+    checkSamplingOptions(app, options.sampling, options.samples);
 }
 
 }  // namespace
-
-void refuseBeside(const CLI::App& app, const std::string& way,
-                  std::initializer_list<const char*> others) {
-    for (const std::string other : others)
-        if (const auto* option = app.get_option_no_throw(other); option && option->count() > 0)
-            throw UsageError(way + ": expected no " + other +
-                             " beside it, found both (leave one out)");
-}
 
 Options parseOptions(int argc, const char* const* argv) {
     Options options;

@@ -2,12 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
-#include <stdexcept>
-#include <string>
 
-#include "app/sampling.h"
+#include "app/samplingOptions.h"
+#include "app/usage.h"
 #include "swRenderer.h"
 
 /// A pixel of a picture; 0,0 is the top left one.
@@ -32,20 +30,9 @@ struct Options {
     std::filesystem::path stats;     ///< JSON file for statistics; empty: none
 };
 
-/// A command line that makes no sense. The message says what to do instead.
-class UsageError : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
-
 /// Reads the command line. --help and --version print on stdout and end the program.
 /// @throws UsageError
 Options parseOptions(int argc, const char* const* argv);
-
-/// For ways to use the program that exclude each other.
-/// @throws UsageError if the command line holds one of the others beside `way`
-void refuseBeside(const CLI::App& app, const std::string& way,
-                  std::initializer_list<const char*> others);
 
 /// Settles the picture's size, which only the scene may know.
 /// @throws UsageError for one too large for memory, or a crop or pixel that lies outside the

@@ -6,6 +6,7 @@
 
 #include "app/pixelTree.h"
 #include "app/progressBar.h"
+#include "app/sampling.h"
 #include "swFile.h"
 #include "swSampling.h"
 

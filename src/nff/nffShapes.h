@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "nff/nffTokens.h"
-#include "swNff.h"
+#include "swNffShape.h"
+#include "swScene.h"
 
 namespace sw {
 

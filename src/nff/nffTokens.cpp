@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "swNff.h"
+#include "swNffError.h"
 
 namespace sw {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rayTree/rayTree.h"
+#include "rayTree/rayNode.h"
 
 namespace rayTree {
 

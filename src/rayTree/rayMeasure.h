@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "rayTree/rayTree.h"
+#include "rayTree/rayNode.h"
 
 namespace rayTree {
 

@@ -1,25 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 
+#include "app/options.h"
 #include "swRenderer.h"
 
-namespace CLI {
-class App;
-}
-struct Options;
-
-/// Ways of taking samples other than samplePixel(): none in this lab.
-struct SamplingOptions {
-    sw::SamplePattern pattern = sw::SamplePattern::jitter;
-    bool corners = false;
-    std::filesystem::path errorImage;
-};
-
-inline void addSamplingOptions(CLI::App&, SamplingOptions&) {}
-inline void checkSamplingOptions(const CLI::App&, const Options&) {}
+// The lab has no way of taking samples other than samplePixel().
 
 inline std::optional<sw::RenderResult> renderOtherwise(
     const Options&, const sw::RenderOptions&, const std::function<sw::Color(float x, float y)>&) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace sw {
+
+/// A scene file that cannot be read. The message is `file:line:column: expected ..., found ...`,
+/// or `file: reason` where the file as a whole is at fault.
+class NffError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace sw

@@ -1,0 +1,49 @@
+#include "app/samplingOptions.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/usage.h"
+
+using sw::SamplePattern;
+
+void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
+    const auto setPattern = [&options](const std::string& name) {
+        const auto found = std::find(sw::patternNames.begin(), sw::patternNames.end(), name);
+        options.pattern = static_cast<SamplePattern>(found - sw::patternNames.begin());
+    };
+    app.add_option_function<std::string>("--sampler", setPattern,
+                                         "where they lie: jitter, grid, random or multijitter")
+        ->check(CLI::IsMember(
+            std::vector<std::string>(sw::patternNames.begin(), sw::patternNames.end())))
+        ->default_str("jitter");
+    const auto positive = CLI::Range(1e-9, 1e9);
+    app.add_option("--adaptive", options.tolerance,
+                   "as many samples as each pixel needs for this estimated error, 0.01 for example")
+        ->check(positive);
+    app.add_option("--target-rmse", options.targetRmse,
+                   "the same, until this is the whole picture's estimated error")
+        ->check(positive);
+    app.add_option("--time-limit", options.timeLimit, "the same, for that many seconds")
+        ->check(positive);
+    app.add_flag("--corners", options.corners,
+                 "rays at the corners of pixels, each shared by four, instead of samples");
+    app.add_option("--error-image", options.errorImage,
+                   "PNG of the estimated error: black 0.0001, blue 0.001, red 0.01, yellow 0.1, "
+                   "white 1");
+}
+
+void checkSamplingOptions(const CLI::App& app, const SamplingOptions& options, int samples) {
+    if (options.corners) refuseBeside(app, "--corners", {"--samples", "--sampler"});
+    for (const char* way : {"--adaptive", "--target-rmse", "--time-limit"}) {
+        if (app.count(way) == 0) continue;
+        refuseBeside(app, way, {"--samples", "--sampler", "--corners"});
+        if (!options.isAdaptive())
+            throw UsageError(std::string(way) + ": expected a number, found NaN");
+    }
+    const bool oneSample = options.corners || (samples == 1 && !options.isAdaptive());
+    if (!options.errorImage.empty() && oneSample)
+        throw UsageError("--error-image: expected --samples 2 or more, found one sample per pixel");
+}
