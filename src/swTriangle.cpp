@@ -4,12 +4,12 @@
 
 #include "swNumerics.h"
 
-// The lab's formula: the plane through v0 with n = (v1 - v0) % (v2 - v0) is met at
-//     t = n * (v0 - orig) / (n * dir),   p = orig + t dir,
-// and p lies inside where its barycentric coordinates
-//     v = ((p - v0) % (v2 - v0)) * n / (n * n),   w = ((v1 - v0) % (p - v0)) * n / (n * n)
+// The lab's formula: with e1 = v1 - v0 and e2 = v2 - v0, the plane of normal n = e1 % e2 is met at
+//     t = n * (v0 - orig) / (n * dir),   Q = orig + t dir,   r = Q - v0,
+// and Q = v0 + w e1 + v e2 lies inside where its barycentric coordinates
+//     v = (e1 % r) * n / (n * n),   w = (r % e2) * n / (n * n)
 // obey v >= 0, w >= 0 and v + w <= 1. Keep the sign: norms in place of the dot products with n
-// accept four times the area. In floats, and with p computed first, neighbours can disagree about a
+// accept four times the area. In floats, and with Q computed first, neighbours can disagree about a
 // ray through their common edge, and it slips between them.
 //
 // Here instead: Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (JCGT 2013). Each
@@ -88,15 +88,15 @@ bool Triangle::intersect(const Ray& ray, Intersection& hit) const {
     const Projected b = project(vertices[1]);
     const Projected c = project(vertices[2]);
 
-    const double u = edge(b, c), v = edge(c, a), w = edge(a, b);
+    const double u = edge(b, c), w = edge(c, a), v = edge(a, b);
     // One test of all signs: a processor cannot guess them one by one.
-    const double lowest = std::min(u, std::min(v, w)), highest = std::max(u, std::max(v, w));
+    const double lowest = std::min(u, std::min(w, v)), highest = std::max(u, std::max(w, v));
     if (static_cast<int>(lowest < 0) & static_cast<int>(highest > 0)) return false;
 
     // Far from overflow for any floats. Infinite for a triangle seen edge-on, where t is NaN as all
     // edge functions are 0.
-    const double scale = 1 / ((u + v + w) * project.along());
-    const double t = (u * a.z + v * b.z + w * c.z) * scale;
+    const double scale = 1 / ((u + w + v) * project.along());
+    const double t = (u * a.z + w * b.z + v * c.z) * scale;
     const float rounded = static_cast<float>(t);
     if (!(ray.minT < rounded && rounded < ray.maxT)) return false;  // outside, or NaN
 
@@ -109,7 +109,7 @@ bool Triangle::intersect(const Ray& ray, Intersection& hit) const {
     const double weight = project.along() * scale;
     const double against = -dot(n, num::toDouble(ray.dir));
     hit.hitT = rounded;
-    hit.position = num::toFloat(v0 + v * weight * e1 + w * weight * e2);
+    hit.position = num::toFloat(v0 + w * weight * e1 + v * weight * e2);
     hit.frontFacing = against > 0;
     hit.normal = num::toFloat(std::copysign(1 / std::sqrt(dot(n, n)), against) * n);
     hit.material = material;

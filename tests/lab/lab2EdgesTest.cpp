@@ -13,14 +13,14 @@ std::string whyAccepted() {
     if (plainHit({3, 3}) || plainHit({-5, 2}) || plainHit({1, -6}))
         return "the ray meets the plane here, but far outside of the triangle: nothing asks yet "
                "whether the point lies inside";
-    const bool negativeV = plainHit({-0.25f, 0.5f}), negativeW = plainHit({0.5f, -0.25f});
+    const bool negativeV = plainHit({0.5f, -0.25f}), negativeW = plainHit({-0.25f, 0.5f});
     if (negativeV && negativeW)
         return "the length of a cross product has no sign; its dot product with n does";
     if (plainHit({0.75f, 0.75f}))
         return "v and w alone make a parallelogram: the side opposite to the first vertex is where "
                "their sum is 1";
-    if (negativeV) return "beyond the side from the first to the third vertex v is negative";
-    if (negativeW) return "beyond the side from the first to the second vertex w is negative";
+    if (negativeV) return "beyond the side from the first to the second vertex v is negative";
+    if (negativeW) return "beyond the side from the first to the third vertex w is negative";
     return "inside is where neither v nor w is negative and where their sum is at most 1";
 }
 

@@ -9,10 +9,10 @@
 /// What the tests of task 2 share. They call Triangle::intersect() itself, not through a scene.
 namespace lab {
 
-/// A place in a triangle's plane: v of the way along the side from the first vertex to the second,
-/// and w along that to the third.
+/// A place in a triangle's plane: w of the way along the side from the first vertex to the second,
+/// and v along that to the third, as on the slides.
 struct Barycentric {
-    float v, w;
+    float w, v;
 };
 
 inline sw::Triangle triangle(const sw::Vec3& a, const sw::Vec3& b, const sw::Vec3& c) {
@@ -22,7 +22,7 @@ inline sw::Triangle triangle(const sw::Vec3& a, const sw::Vec3& b, const sw::Vec
 
 inline sw::Vec3 at(const sw::Triangle& t, const Barycentric& place) {
     const sw::Vec3* corner = t.vertices;
-    return corner[0] + place.v * (corner[1] - corner[0]) + place.w * (corner[2] - corner[0]);
+    return corner[0] + place.w * (corner[1] - corner[0]) + place.v * (corner[2] - corner[0]);
 }
 
 /// A ray to that place whose origin is `away` from it, where t = 1.
