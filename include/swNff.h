@@ -39,9 +39,9 @@ struct NffScene {
 ///     # ...                    comment until the end of the line
 ///
 /// Any white space separates; the locale does not matter. Where the radii are negative, only the
-/// inside can be seen. Polygons need not be convex, and vertices may be repeated. What is odd and
-/// yet can be rendered gives a warning: a polygon that crosses itself or is not plane, a cone
-/// without height.
+/// inside can be seen. Polygons have up to 10,000 vertices, need not be convex, and may repeat
+/// vertices. What is odd and yet can be rendered gives a warning: a polygon that crosses itself or
+/// is not plane, a cone without height.
 /// @param name    what error messages call the text
 /// @param shapes  where not null, all shapes are appended, in the file's order. A scene itself does
 ///                not remember where its shapes come from

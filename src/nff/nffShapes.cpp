@@ -5,15 +5,15 @@
 
 namespace sw {
 
-// A limit against files that ask for absurd amounts of work.
-constexpr float mostVertices = 1000000;
+// Cutting a polygon into triangles takes quadratic time.
+constexpr float mostVertices = 10000;
 
 // Memory grows with the numbers found, not with what the file promises.
 void NffShapes::readVertices(const char* keyword, bool withNormals, const char* hint) {
     float count;
     tokens.numbers(keyword, &count, 1);
     if (!(count >= 3 && count <= mostVertices && count == std::floor(count)))
-        tokens.failAtLast("expected a number of vertices from 3 to 1000000");
+        tokens.failAtLast("expected a number of vertices from 3 to 10000 (split larger polygons)");
     const int size = static_cast<int>(count) * (withNormals ? 6 : 3);
     vertices.clear();
     normals.clear();

@@ -44,8 +44,8 @@ TEST_CASE("a file that ends too early is reported at its end") {
         {"s 0 0 0",
          "3:8: expected 4 numbers after 's', found 3" + end + " (is the radius missing?)"},
         {"p", "3:2: expected 1 number after 'p', found 0" + end},
-        {"p 1000000 0 0 0", "3:16: expected 3000000 numbers after 'p', found 3" + end +
-                                " (a polygon has three numbers per vertex)"},
+        {"p 10000 0 0 0", "3:14: expected 30000 numbers after 'p', found 3" + end +
+                              " (a polygon has three numbers per vertex)"},
         {"p 3 0 0 0", "3:10: expected 9 numbers after 'p', found 3" + end +
                           " (a polygon has three numbers per vertex)"},
     });
@@ -108,7 +108,8 @@ TEST_CASE("found text is shown short and printable") {
 }
 
 TEST_CASE("values out of range are reported where they are") {
-    const std::string vertices = "3:3: expected a number of vertices from 3 to 1000000, found ";
+    const std::string vertices =
+        "3:3: expected a number of vertices from 3 to 10000 (split larger polygons), found ";
     const std::string negative = "3:2: expected Kd, Ks and T of 0 or more, found a negative one";
     const std::string index = "expected a positive index of refraction, as T is positive, found ";
     checkErrors({
@@ -117,6 +118,7 @@ TEST_CASE("values out of range are reported where they are") {
         {"s 0 0 0 1e-60", "3:9: expected a radius other than 0, found '1e-60'"},
         {"p 2 0 0 0 1 1 1", vertices + "'2'"},
         {"p 3.5", vertices + "'3.5'"},
+        {"p 10001", vertices + "'10001'"},
         {"p 1e7", vertices + "'1e7'"},
         {"p -4", vertices + "'-4'"},
         {"p 999999999 0 0 0", vertices + "'999999999'"},

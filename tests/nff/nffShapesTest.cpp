@@ -185,6 +185,11 @@ TEST_CASE("repeated vertices change nothing") {
     CHECK(wrong == 0);
 }
 
+TEST_CASE("a polygon may have 10000 vertices") {
+    const auto radius = [](int i) { return i % 2 == 0 ? 1.0 : 2.0; };
+    CHECK(countOf(sceneOf(polygonText(star(10000, radius))), "triangles") == 9998);
+}
+
 TEST_CASE("nothing carries over from one polygon to the next") {
     const Scene scene = sceneOf(polygonText(star(40, [](int) { return 2.0; })) +
                                 "pp 4 9 0 0 1 0 9  11 0 0 1 0 9  11 2 0 1 0 9  9 2 0 1 0 9\n" +

@@ -16,23 +16,24 @@ struct Point2 {
 
 /// The sign of a sum of doubles, without rounding: every term is added to a list of doubles that
 /// do not overlap and whose sum is exact (Shewchuk, Adaptive Precision Floating-Point Arithmetic,
-/// 1997, "grow-expansion"). The largest of them has the sum's sign.
+/// 1997, "grow-expansion" with zero elimination). The last and largest of them has the sum's sign.
 template <std::size_t count>
 double exactSumSign(const std::array<double, count>& terms) {
-    std::array<double, count> parts{};
-    for (std::size_t i = 0; i < count; ++i) {
-        double sum = terms[i];
-        for (std::size_t k = 0; k < i; ++k) {
+    std::array<double, count> parts;
+    std::size_t size = 0;
+    for (double sum : terms) {
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < size; ++k) {
             const double a = sum, b = parts[k];
             sum = a + b;
             const double bRounded = sum - a;
-            parts[k] = (a - (sum - bRounded)) + (b - bRounded);
+            const double error = (a - (sum - bRounded)) + (b - bRounded);
+            if (error != 0) parts[kept++] = error;
         }
-        parts[i] = sum;
+        if (sum != 0) parts[kept++] = sum;
+        size = kept;
     }
-    for (std::size_t i = count; i-- > 0;)
-        if (parts[i] != 0) return parts[i];
-    return 0;
+    return size > 0 ? parts[size - 1] : 0;
 }
 
 /// On which side of the line from a to b the point c lies.

@@ -1,6 +1,7 @@
 #include "nff/polygon/triangulate.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "nff/polygon/crossings.h"
 #include "nff/polygon/earCutter.h"
@@ -16,46 +17,30 @@ dvec3 fromFirst(Corners corners, std::size_t i) {
     return num::toDouble(corners[i]) - num::toDouble(corners[0]);
 }
 
-// How far the corners are from the first one.
-double extentOf(Corners corners) {
-    double squared = 0;
+struct Plane {
+    explicit Plane(Corners corners);
+
+    dvec3 normal;   // on the side where the corners are counter-clockwise; NaN for a line
+    double extent;  // distance of the farthest corner from the first one
+};
+
+Plane::Plane(Corners corners) {
+    dvec3 newell(0, 0, 0), farthest(0, 0, 0), largest(0, 0, 0);
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const dvec3 v = fromFirst(corners, i);
-        squared = std::max(squared, dot(v, v));
-    }
-    return std::sqrt(squared);
-}
-
-// Newell's normal, twice as long as the enclosed area: on the side where the corners are
-// counter-clockwise.
-dvec3 newellNormal(Corners corners) {
-    dvec3 sum(0, 0, 0);
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        sum += cross(fromFirst(corners, i - 1), fromFirst(corners, i));
-    return sum;
-}
-
-// The normal of a large triangle between corners.
-dvec3 largeTriangle(Corners corners) {
-    dvec3 farthest(0, 0, 0), largest(0, 0, 0);
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-        const dvec3 v = fromFirst(corners, i);
+        newell += cross(fromFirst(corners, i - 1), v);
         if (dot(v, v) > dot(farthest, farthest)) farthest = v;
     }
+    extent = glm::length(farthest);
+    normal = glm::normalize(newell);
+    if (!(glm::length(newell) < 0x1p-7 * extent * extent)) return;
+    // Newell's normal of a thin winding polygon or a figure of eight is a small difference of large
+    // areas, and points somewhere. That of a large triangle between corners does not.
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const dvec3 n = cross(farthest, fromFirst(corners, i));
         if (dot(n, n) > dot(largest, largest)) largest = n;
     }
-    return largest;
-}
-
-// Of unit length; NaN for corners on a line. Newell's normal of a thin winding polygon or a figure
-// of eight is a small difference of large areas, and points somewhere.
-dvec3 normalOf(Corners corners, double extent) {
-    const dvec3 n = newellNormal(corners);
-    if (!(glm::length(n) < 0x1p-7 * extent * extent)) return glm::normalize(n);
-    const dvec3 large = largeTriangle(corners);
-    return glm::normalize(dot(large, n) < 0 ? -large : large);
+    normal = glm::normalize(dot(largest, newell) < 0 ? -largest : largest);
 }
 
 // Drops the coordinate along which the normal is longest. What is counter-clockwise stays so, and
@@ -76,17 +61,15 @@ private:
     int x, y;
 };
 
-bool isPlanar(Corners corners, const dvec3& normal, double extent) {
-    double lowest = 0, highest = 0;
+bool isPlanar(Corners corners, const Plane& plane) {
+    double height = 0;
     float largest = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const double height = dot(fromFirst(corners, i), normal);
-        lowest = std::min(lowest, height);
-        highest = std::max(highest, height);
+        height = std::max(height, std::fabs(dot(fromFirst(corners, i), plane.normal)));
         largest = std::max(largest, num::maxAbs(corners[i]));
     }
     const double rounding = 4.0 * num::unitRoundoff * largest;
-    return highest - lowest <= 1e-3 * extent + rounding;
+    return height <= 1e-3 * plane.extent + rounding;
 }
 
 // Whether all triangles between the first corner and a side are counter-clockwise and span less
@@ -103,33 +86,25 @@ bool isFan(Corners corners, const Projection& project) {
     return true;
 }
 
-void cutFan(Triangulation& result, std::size_t count) {
-    for (std::uint32_t i = 2; i < count; ++i) result.triangles.push_back({0, i - 1, i});
-}
-
-void cutEars(Triangulation& result, Corners corners, const Projection& project) {
-    std::vector<Point2> points;
-    points.reserve(corners.size());
-    for (const Vec3& corner : corners) points.push_back(project(corner));
-    result.simple = !hasCrossings(points);
-    EarCutter(points, result).cutAll();
-}
-
 }  // namespace
 
 Triangulation triangulate(Corners corners) {
     Triangulation result;
     if (corners.size() < 3) return result;
-    const double extent = extentOf(corners);
-    const dvec3 normal = normalOf(corners, extent);
-    if (!(dot(normal, normal) > 0)) return result;  // a line, or not finite
-    result.planar = isPlanar(corners, normal, extent);
+    const Plane plane(corners);
+    if (!(dot(plane.normal, plane.normal) > 0)) return result;  // a line, or not finite
+    result.planar = isPlanar(corners, plane);
     result.triangles.reserve(corners.size() - 2);
-    const Projection project(normal);
-    if (isFan(corners, project))
-        cutFan(result, corners.size());
-    else
-        cutEars(result, corners, project);
+    const Projection project(plane.normal);
+    if (isFan(corners, project)) {
+        for (std::uint32_t i = 2; i < corners.size(); ++i)
+            result.triangles.push_back({0, i - 1, i});
+        return result;
+    }
+    std::vector<Point2> points;
+    std::transform(corners.begin(), corners.end(), std::back_inserter(points), project);
+    result.simple = !hasCrossings(points);
+    cutEars(points, result);
     return result;
 }
 

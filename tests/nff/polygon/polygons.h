@@ -150,7 +150,8 @@ inline Polygon turned(Polygon polygon, double angle) {
     return polygon;
 }
 
-/// Simple polygons of any number of corners that are hard to cut in less than quadratic time.
+/// Simple polygons of any number of corners that take long to cut: most of them stand in the way of
+/// many ears.
 inline std::vector<std::pair<std::string, std::function<Polygon(int)>>> largePolygons() {
     const auto room = [](int n) {
         Random random(1);
