@@ -14,9 +14,9 @@ struct Bounds {
     Vec3 max{-infinity, -infinity, -infinity};
 
     Bounds() = default;
-    Bounds(const Vec3& lowest, const Vec3& highest) : min(lowest), max(highest) {}
+    Bounds(const Vec3& min, const Vec3& max) : min(min), max(max) {}
 
-    /// All of space: the box of a primitive that does not know its own.
+    /// All of space: the box of a primitive that does not state its own.
     static Bounds unbounded() {
         return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
     }
@@ -30,7 +30,7 @@ struct Bounds {
     }
     void add(const Vec3& p) { add(Bounds(p, p)); }
 
-    /// True if the box holds at least a point and ends on every side.
+    /// True if the box is not empty and ends on every side.
     bool isFinite() const {
         for (int i = 0; i < 3; ++i)
             if (!(min[i] <= max[i] && min[i] > -infinity && max[i] < infinity)) return false;

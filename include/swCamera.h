@@ -10,13 +10,13 @@ class Camera {
 public:
     /// @param origin  where the eye is
     /// @param lookAt  what is in the middle of the picture; not equal to origin
-    /// @param up      what points up in the picture; any length. Where it is (nearly) parallel to
-    ///                the view, the coordinate axis least aligned with the view stands in for it
+    /// @param up      what points up in the picture; any length. If it is (nearly) parallel to the
+    ///                view, the coordinate axis least aligned with the view takes its place
     /// @param fov     vertical field of view in degrees, 0 < fov < 180
-    /// @param aspect  width / height until setup() tells the true size
+    /// @param aspect  width / height, until setup() sets the true size
     Camera(const Vec3& origin, const Vec3& lookAt, const Vec3& up, float fov, float aspect = 1);
 
-    /// Sets the picture's size in pixels. Pixels are square whatever its shape.
+    /// Sets the picture's size in pixels. Pixels are square at every size.
     void setup(int width, int height);
 
     /// @param x, y  pixel coordinates: (0,0) is the top left corner of the picture, (width, height)
@@ -25,13 +25,13 @@ public:
     Ray getRay(float x, float y) const;
 
 private:
-    Vec3 eye;
-    double forward[3];  // unit view direction
-    double right[3];    // unit, to the right in the picture
-    double up[3];       // unit, upwards in the picture
-    double halfHeight;  // of the picture at distance 1: tan(fov / 2)
-    double width;       // in pixels
-    double height = 1;  // in pixels
+    Vec3 origin;
+    double forward[3];    // unit view direction
+    double rightward[3];  // unit, to the right in the picture
+    double upward[3];     // unit, upwards in the picture
+    double halfHeight;    // of the picture at distance 1: tan(fov / 2)
+    double columns;       // of pixels
+    double rows = 1;      // of pixels
 };
 
 }  // namespace sw

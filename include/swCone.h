@@ -4,12 +4,12 @@
 
 namespace sw {
 
-/// The mantle of a cone, open at both ends: a truncated cone, a cylinder where the radii are equal,
-/// a cone with a tip where one radius is 0. Its end circles stand at right angles to the axis.
+/// The lateral surface of a cone, without caps. It is a truncated cone, a cylinder if the radii are
+/// equal, and a cone with a tip if one radius is 0. The axis is at right angles to the end circles.
 ///
 /// Positive radii: hit from outside (front) and from inside (back). Negative radii: only the inside
-/// can be seen; that is its front, and from outside rays go through. A cone of no height, of two
-/// radii 0, of radii with different signs or of numbers that are not finite is never hit.
+/// can be hit; it is the front, and rays from outside pass through. A cone is never hit if its
+/// height is 0, both radii are 0, the radii have different signs, or a number is not finite.
 class Cone : public Primitive {
 public:
     Vec3 base;             ///< centre of one end
@@ -18,13 +18,13 @@ public:
     float apexRadius = 0;  ///< radius there; may be the larger one
 
     Cone() = default;
-    Cone(const Vec3& start, float startRadius, const Vec3& end, float endRadius,
-         const Material& surface)
-        : Primitive(surface),
-          base(start),
-          baseRadius(startRadius),
-          apex(end),
-          apexRadius(endRadius) {}
+    Cone(const Vec3& base, float baseRadius, const Vec3& apex, float apexRadius,
+         const Material& material)
+        : Primitive(material),
+          base(base),
+          baseRadius(baseRadius),
+          apex(apex),
+          apexRadius(apexRadius) {}
 
     bool intersect(const Ray& ray, Intersection& hit) const override;
     Bounds bounds() const override;

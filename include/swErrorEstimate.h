@@ -7,15 +7,15 @@
 
 namespace sw {
 
-/// The error of a channel as the picture shows it, cut off at 0 and 1: half the length of what
-/// remains of mean +- error. 0 for a light that is brighter than white on all its samples; 1/2,
-/// as anything is possible, for infinite samples.
-float shownError(float mean, float error);
+/// The error of a channel as displayed: half the length of what remains of mean +- error after
+/// clamping to 0..1. It is 0 where all samples are far brighter than white, and 1/2 for
+/// infinite samples, as anything is possible.
+float displayedError(float mean, float error);
 
-/// The standard error of a pixel's mean: how far, as root mean square, it is off the true mean.
+/// Estimates the standard error of a pixel's mean: its RMS distance from the true mean.
 ///
 /// One sample in each cell of an n x n grid does not show the variance within its cell. The
-/// contrast q = a - b - c + d of four neighbouring cells does: q^2 / 4 has just that mean where
+/// contrast q = a - b - c + d of four neighbouring cells does: q^2 / 4 has exactly that mean where
 /// colour changes linearly (Matern, Spatial Variation, 1960; in one dimension Wolter, Introduction
 /// to Variance Estimation, chapter 8). But pictures err at edges. An edge of random place and
 /// direction separates two points with a chance proportional to their distance (Crofton's
@@ -25,12 +25,12 @@ float shownError(float mean, float error);
 /// diagonal cells: 0.5214, 1.0881 and 1.4731. That factor makes the error of smooth surfaces, and
 /// of edges along the axes, 14 % too small.
 ///
-/// `multiJitter` has 0.6 of that variance at edges; measured on the shipped scenes. Of `grid`,
-/// which has no variance, the estimate tells what jitter would give; `random` has the textbook's.
-/// What no sample has hit remains unseen.
+/// `multiJitter` has 0.6 of that variance at edges, measured on the shipped scenes. `grid` has no
+/// variance: it gets the estimate for jitter. `random` gets the textbook's. What no sample has hit
+/// remains unseen.
 class PixelSamples {
 public:
-    /// Keeps the samples that its thread adds to a SampleMean, for as long as it lives.
+    /// As long as it lives, it keeps the samples that its thread adds to a SampleMean.
     /// @param n  samples per side of the grid; less than 2: nothing is kept
     PixelSamples(SamplePattern pattern, int n);
     ~PixelSamples();
@@ -39,22 +39,22 @@ public:
 
     /// Ends a pixel and starts the next.
     /// @param mean  the pixel's colour
-    /// @return      its error as shown, per channel, in linear radiance. NaN where there were not
-    ///              just n x n samples, or n is less than 2
+    /// @return      its error as displayed, per channel, in linear radiance. NaN if there were not
+    ///              exactly n x n samples, or n is less than 2
     Color takeError(const Color& mean);
 
 private:
     SamplePattern pattern;
-    std::size_t n;
-    float factor;  // from sums of squares to the variance of the mean
+    std::size_t side;  // of the grid; 0: nothing is kept
+    float factor;      // turns sums of squares into the variance of the mean
     std::vector<NotedSample> samples;
-    SampleSpace outer;  // of a picture that is rendered by a pixel of another one
+    SampleSpace outer;  // the one before: a pixel may render a picture of its own
 };
 
-/// The picture's estimated RMSE in steps of its 8-bit encoding (compare Metrics::rmseSteps): what
-/// the errors are worth from the mean downwards, where the encoding is steeper. Some 20 % too
-/// small in the lab's picture: light that all samples of a black pixel miss is many steps.
+/// The picture's estimated RMSE in 8-bit code values (compare Metrics::rmse8bit). Each error
+/// counts from the mean downwards, where the code values are steeper. Some 20 % too small in the
+/// lab's picture: light that all samples of a black pixel miss is worth many code values.
 /// @param errors  of its pixels, from RenderResult::errors; NaN anywhere makes the result NaN
-double estimatedSteps(const Image& image, const Image& errors, float gamma = 2.2f);
+double estimatedRmse8bit(const Image& image, const Image& errors, float gamma = 2.2f);
 
 }  // namespace sw

@@ -17,13 +17,13 @@ public:
 /// @throws FileError
 std::string readFile(const std::filesystem::path& path);
 
-/// Writes a file whole or not at all: into a temporary file beside it, which then takes its name.
-/// A failure, a full disk or a kill leaves what was there before. What exists and is no regular
-/// file (a terminal, a pipe) is written to directly.
+/// Writes a file whole or not at all: into a temporary file beside it, which is then renamed. A
+/// failure, a full disk or a kill leaves the old content. If the path is not a regular file (but a
+/// terminal or a pipe), it is written to directly.
 /// @throws FileError
 void writeFile(const std::filesystem::path& path, std::string_view content);
 
-/// Checks, before long work, that writeFile would find its folder and may write there.
+/// Checks, before long work, that the folder exists and writeFile may write there.
 /// @throws FileError
 void requireWritable(const std::filesystem::path& path);
 

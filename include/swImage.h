@@ -32,6 +32,14 @@ private:
     std::vector<Color> pixels;
 };
 
+/// A channel's linear radiance as a display shows it: clamped to 0..1. NaN becomes 0.
+inline float clampToDisplay(float linear) {
+    return linear > 0 ? (linear < 1 ? linear : 1) : 0;
+}
+
+/// A channel as an 8-bit code value before rounding, 0..256: toByte() cuts it to a whole number.
+double codeValue(float linear, float gamma = 2.2f);
+
 /// 8-bit value of one channel: 256 * clamp(linear^(1/gamma), 0, 0.999).
 /// Negative radiance and NaN become 0.
 std::uint8_t toByte(float linear, float gamma = 2.2f);

@@ -15,34 +15,42 @@ struct Intersection {
     Material material;
     Ray ray;  ///< the ray that hit
 
-    /// Unit normal of the true surface, on the same side, where `normal` is a shading normal that
-    /// makes a flat piece look round. It tells above from below: spawned rays start and stay on
+    /// Unit normal of the true surface, on the same side, if `normal` is a shading normal that
+    /// makes a flat piece look round. It separates above from below: spawned rays start and stay on
     /// their side of it. Zero (the default): no shading normal was set, `normal` is the geometric
     /// one.
     Vec3 geometricNormal;
 
-    /// How far `position` may lie from the true surface, and how far along the normal the next ray
-    /// must start so as not to meet the same surface again. Negative (the default): the primitive
-    /// does not say, and a cautious bound takes its place, see errorBound().
+    /// How far `position` may lie from the true surface. The next ray must start that far off along
+    /// the normal so as not to meet the same surface again. Negative (the default): the primitive
+    /// states none, and a cautious bound takes its place, see errorBound().
     float positionError = -1;
+
+    /// Sets frontFacing, and the normal on the side that the ray came from.
+    /// @param outward      unit normal of the outside
+    /// @param fromOutside  whether the ray came from there
+    /// @param insideOut    true where the inside is the front, as with negative radii
+    void setFace(const Vec3& outward, bool fromOutside, bool insideOut = false) {
+        normal = fromOutside ? outward : -outward;
+        frontFacing = fromOutside != insideOut;
+    }
 
     bool hasShadingNormal() const { return !geometricNormal.isZero(); }
     /// Unit geometric normal, on the side that the ray came from.
     const Vec3& surfaceNormal() const { return hasShadingNormal() ? geometricNormal : normal; }
 
-    /// The positionError, or a cautious bound where the primitive states none.
+    /// The positionError, or a cautious bound if the primitive states none.
     ///
     /// The slides start their rays at t = 0.01, which suits the lab's scene of some 60 units. The
-    /// bound keeps that proportion at every scale: 2^-14 of the lengths that went into the hit
-    /// point, its own coordinates and the way to it. That is 1000 roundings, enough for textbook
-    /// formulas in float at distances up to about 30 times the primitive's size.
+    /// bound keeps that proportion at every scale: it is 2^-14 times the lengths that went into the
+    /// hit point, its own coordinates and the distance to it. That is 1000 roundings, enough for
+    /// textbook formulas in float at distances up to about 30 times the primitive's size.
     float errorBound() const;
 
-    /// Ray that starts at the hit point, just so far off the surface that it does not meet it
-    /// again.
+    /// Ray that starts at the hit point, just far enough off the surface not to meet it again.
     /// @param direction  of any length but zero
-    /// @param side       unit normal on the side where the ray goes on: `normal`, or `-normal` for
-    ///                   one that passes through the surface
+    /// @param side       unit normal on the side where the ray goes on: `normal`, or `-normal` to
+    ///                   pass through the surface
     /// @param kind       for the statistics alone
     Ray spawnRay(const Vec3& direction, const Vec3& side, RayKind kind) const;
 

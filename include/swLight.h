@@ -10,8 +10,8 @@ struct Light {
     Color color{1, 1, 1};  ///< linear radiance that a white surface facing the light returns
 
     Light() = default;
-    explicit Light(const Vec3& where, const Color& radiance = {1, 1, 1})
-        : position(where), color(radiance) {}
+    explicit Light(const Vec3& position, const Color& color = {1, 1, 1})
+        : position(position), color(color) {}
 };
 
 }  // namespace sw

@@ -4,8 +4,9 @@
 
 namespace sw {
 
-/// What a surface does with light: the fraction `reflectivity` is mirrored, `transparency` is
-/// refracted, and the rest, 1 - reflectivity - transparency, is scattered diffusely in `color`.
+/// What a surface does with light: the fraction `reflectivity` is mirrored, the fraction
+/// `transparency` is refracted, and the rest, 1 - reflectivity - transparency, is scattered
+/// diffusely in `color`.
 struct Material {
     Color color{1, 1, 1};       ///< diffuse colour, 0..1 per channel
     float reflectivity = 0;     ///< 0..1; reflectivity + transparency <= 1
@@ -13,8 +14,12 @@ struct Material {
     float refractiveIndex = 1;  ///< inside relative to outside: glass about 1.5; positive
 
     Material() = default;
-    Material(const Color& diffuse, float mirrored = 0, float refracted = 0, float index = 1)
-        : color(diffuse), reflectivity(mirrored), transparency(refracted), refractiveIndex(index) {}
+    Material(const Color& color, float reflectivity = 0, float transparency = 0,
+             float refractiveIndex = 1)
+        : color(color),
+          reflectivity(reflectivity),
+          transparency(transparency),
+          refractiveIndex(refractiveIndex) {}
 };
 
 }  // namespace sw

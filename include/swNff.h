@@ -12,14 +12,14 @@
 
 namespace sw {
 
-/// What a scene file describes.
+/// The content of a scene file.
 struct NffScene {
     Scene scene;
     Camera camera;  ///< set up for the resolution below
     int width;      ///< default size of the picture in pixels
     int height;
-    /// What is odd in the file and yet can be rendered: `file:line:column: warning: ...`, one line
-    /// for each kind of oddity, at its first place.
+    /// What is odd in the file but can be rendered: `file:line:column: warning: ...`, once for each
+    /// kind of oddity, at its first place.
     std::vector<std::string> warnings;
 };
 
@@ -38,13 +38,13 @@ struct NffScene {
 ///     pp n  x y z nx ny nz ... patch: the same, with a normal at each vertex for smooth shading
 ///     # ...                    comment until the end of the line
 ///
-/// Any white space separates; the locale does not matter. Where the radii are negative, only the
+/// Any white space separates; the locale does not matter. If the radii are negative, only the
 /// inside can be seen. Polygons have up to 10,000 vertices, need not be convex, and may repeat
-/// vertices. What is odd and yet can be rendered gives a warning: a polygon that crosses itself or
-/// is not plane, a cone without height.
+/// vertices. What is odd but can be rendered gives a warning: a polygon that crosses itself or is
+/// not plane, a cone without height.
 /// @param name    what error messages call the text
-/// @param shapes  where not null, all shapes are appended, in the file's order. A scene itself does
-///                not remember where its shapes come from
+/// @param shapes  if not null, all shapes are appended to it, in the file's order. A scene itself
+///                does not remember where its shapes come from
 /// @throws NffError
 NffScene parseNff(std::string_view text, const std::string& name,
                   std::vector<NffShape>* shapes = nullptr);

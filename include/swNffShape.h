@@ -13,7 +13,7 @@ struct NffShape {
 
     std::shared_ptr<const Primitive> primitive;
     int line;                     ///< where its statement begins; the first line is 1
-    const char* kind = "other";   ///< what the format calls it
+    const char* kind = "other";   ///< its name in the format
     Describe describe = nullptr;  ///< "centre (0, 1, 0), radius 2" for example; null: nothing
 };
 

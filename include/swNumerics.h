@@ -6,7 +6,7 @@
 
 #include "swVec3.h"
 
-/// Double precision inside, floats outside, and bounds for what is lost between the two.
+/// Kernels compute in double; points and normals are floats. Bounds for what rounding loses.
 namespace sw::num {
 
 /// Unit roundoff of float: a rounded result is off by at most this fraction of itself.
@@ -34,7 +34,7 @@ inline float maxAbs(const Vec3& v) {
 /// Rounding moves the position by u |p_i| per axis: at most sqrt(3) u max|p| along the normal.
 /// A spawned direction that should leave the surface can dip by 3u: u from rounding it, u from
 /// rounding the normal, u from the side that this normal decides. Across the primitive it dips
-/// by 3u extent. Both are rounded up to 4u. Nothing here is an absolute length, so that a scene in
+/// by 3u extent. Both are rounded up to 4u. Nothing here is an absolute length: a scene in
 /// millimetres and one in light years look the same.
 inline float surfaceError(const Vec3& position, float extent) {
     return 4 * unitRoundoff * (maxAbs(position) + extent);

@@ -4,12 +4,12 @@
 
 namespace sw {
 
-/// A triangle that looks round: `normal` of a hit is interpolated between a normal at each vertex
-/// (Phong, Illumination for Computer Generated Pictures, 1975). All else, above all which side is
-/// the front and `geometricNormal`, is the triangle's.
+/// A triangle that looks round. The `normal` of a hit is a shading normal, interpolated between the
+/// normals at the vertices (Phong, Illumination for Computer Generated Pictures, 1975). All else is
+/// the triangle's, above all its front side and `geometricNormal`.
 ///
-/// The triangle's own normal is taken where the interpolated one points below the triangle, or away
-/// from the ray, as may happen near a silhouette.
+/// Near a silhouette the interpolated normal may point below the triangle, or away from the ray.
+/// There `normal` is the triangle's own.
 class Patch : public Primitive {
 public:
     Triangle triangle;  ///< where the surface is; its material is not looked at
@@ -17,9 +17,9 @@ public:
 
     Patch() = default;
     /// @param v  three vertices
-    /// @param n  their normals, of any length. One that is zero or not finite stands for the
-    ///           triangle's own.
-    Patch(const Vec3* v, const Vec3* n, const Material& surface);
+    /// @param n  their normals, of any length. The triangle's own takes the place of one that is
+    ///           zero or not finite.
+    Patch(const Vec3* v, const Vec3* n, const Material& material);
 
     bool intersect(const Ray& ray, Intersection& hit) const override;
     Bounds bounds() const override { return triangle.bounds(); }

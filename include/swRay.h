@@ -18,12 +18,17 @@ struct Ray {
     RayKind kind = RayKind::other;
 
     Ray() = default;
-    Ray(const Vec3& origin, const Vec3& direction, float after = 0, float before = FLT_MAX,
-        RayKind why = RayKind::other)
-        : orig(origin), dir(direction), minT(after), maxT(before), kind(why) {}
+    Ray(const Vec3& origin, const Vec3& direction, float minT = 0, float maxT = FLT_MAX,
+        RayKind kind = RayKind::other)
+        : orig(origin), dir(direction), minT(minT), maxT(maxT), kind(kind) {}
 
     const Vec3& origin() const { return orig; }
     const Vec3& direction() const { return dir; }
+
+    /// The point orig + t * dir.
+    Vec3 at(float t) const { return orig + t * dir; }
+    /// True if minT < t < maxT; false if t is NaN.
+    bool contains(float t) const { return minT < t && t < maxT; }
 };
 
 }  // namespace sw

@@ -9,8 +9,8 @@
 
 namespace sw {
 
-/// How many rays were traced, by kind, and how many of them hit something. Rays that a program made
-/// itself count as `other`.
+/// How many rays were traced, by kind, and how many of them hit something. Rays that a program
+/// makes itself count as `other`.
 struct RayCount {
     std::array<std::uint64_t, 5> rays{};  ///< indexed by RayKind
     std::array<std::uint64_t, 5> hits{};
@@ -37,7 +37,7 @@ struct RayCount {
     }
 };
 
-/// This thread's count: a shared one would make the threads wait for each other.
+/// This thread's count. A shared one would make the threads wait for each other.
 inline thread_local constinit RayCount rayCount;
 
 /// Counts a ray. Scene::intersect does so for every ray.
@@ -46,7 +46,7 @@ inline void countRay(RayKind kind, bool hit) {
     rayCount.hits[static_cast<std::size_t>(kind)] += hit;
 }
 
-/// Returns this thread's count and starts it anew.
+/// Returns this thread's count and resets it.
 inline RayCount takeRayCount() {
     return std::exchange(rayCount, RayCount());
 }

@@ -22,14 +22,14 @@ struct RenderOptions {
     int tileSize = 16;       ///< pixels per side
     int threads = 0;         ///< 0: one per hardware thread
     std::uint64_t seed = 1;  ///< of the random numbers that uniform() hands out
-    /// Told after each tile how many are done. Called by one thread at a time.
+    /// Called after each tile with the number of tiles done, by one thread at a time.
     std::function<void(int done, int total)> progress = nullptr;
     SamplePattern pattern = SamplePattern::jitter;  ///< of the samples that radiance takes ...
     int samples = 0;  ///< ... and how many per side of a pixel, for the error estimate
 };
 
-/// A picture and what is known about it. Errors are root mean squares of the picture as shown, in
-/// linear radiance (see swErrorEstimate.h); NaN means that there is no estimate.
+/// A picture and what is known about it. Errors are root mean squares of the picture as displayed,
+/// in linear radiance (see swErrorEstimate.h); NaN: there is no estimate.
 struct RenderResult {
     Image image;
     Image errors;               ///< estimated, of every pixel
@@ -41,12 +41,12 @@ struct RenderResult {
 };
 
 /// Renders a window of a picture.
-/// Calls radiance concurrently: it must be thread-safe. Every pixel is asked for once, with its own
-/// random numbers, so the result is the same for any number of threads.
+/// Calls radiance concurrently: it must be thread-safe. It is called once for every pixel, each
+/// with random numbers of its own, so the result is the same for any number of threads.
 /// @param window    at least one pixel
 /// @param radiance  colour of pixel (x, y), in coordinates of the full picture. The first exception
 ///                  it throws ends the rendering and is passed on. There is an error estimate only
-///                  if it adds up its samples in a SampleMean, options.samples^2 and at least four
+///                  if it adds its samples, options.samples^2 and at least four, to a SampleMean
 RenderResult render(const Window& window, const std::function<Color(int x, int y)>& radiance,
                     const RenderOptions& options = {});
 

@@ -12,9 +12,9 @@ struct SamplePoint {
     float x, y;
 };
 
-/// The places of a pixel's n x n samples, cell by cell and row by row (`random` knows no cells).
-/// They come from uniform(), and so depend on the seed and the pixel alone.
-/// Each sample is uniform in its cell. One sample, n = 1, is the pixel's centre, but for `random`.
+/// The places of a pixel's n x n samples, cell by cell and row by row (`random` has no cells). They
+/// come from uniform(), and so depend on the seed and the pixel alone. Each sample is uniform in
+/// its cell. A single sample, n = 1, is the pixel's centre, except with `random`.
 /// @param n  at least 1
 std::vector<SamplePoint> samplePoints(SamplePattern pattern, int n);
 

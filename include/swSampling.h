@@ -23,23 +23,23 @@ enum class SamplePattern : unsigned char {
     multiJitter  ///< jitter with one sample in each of n^2 columns and n^2 rows, too
 };
 
-/// What users call the patterns, indexed by SamplePattern.
+/// The patterns' names on the command line, indexed by SamplePattern.
 inline constexpr std::array<const char*, 4> patternNames{"jitter", "grid", "random", "multijitter"};
 
-/// A sample as the error estimate keeps it. Four floats, the last one 0, are one operation of the
-/// processor; three are not.
+/// A sample as the error estimate keeps it. The last of the four floats is 0: a processor adds four
+/// floats at once, but not three.
 struct NotedSample {
     float m[4];
 };
 
-/// Room for the samples of this thread's pixel. Empty where nobody estimates an error.
+/// Room for the samples of this thread's pixel. Empty if no error is estimated.
 struct SampleSpace {
     NotedSample *next = nullptr, *end = nullptr;
 };
 inline thread_local constinit SampleSpace sampleSpace;
 
-/// The mean of a pixel's samples. The renderer sees them, too: they tell how far their mean may be
-/// off (see swErrorEstimate.h).
+/// The mean of a pixel's samples. The renderer sees the samples too: it estimates the mean's error
+/// from them (see swErrorEstimate.h).
 class SampleMean {
 public:
     SampleMean& operator+=(const Color& sample) {

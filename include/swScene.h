@@ -15,7 +15,7 @@
 
 namespace sw {
 
-/// What a scene consists of, and whether a tree was needed to find its way.
+/// What a scene consists of, and whether any part of it is in a tree.
 struct SceneParts {
     std::vector<std::pair<const char*, std::size_t>> counts;  ///< {"spheres", 7} for example
     bool tree = false;
@@ -33,28 +33,28 @@ public:
     void push(const Triangle& triangle);
     void push(const Cone& cone);
     void push(const Patch& patch);
-    /// For primitives of other classes, a student's own for example. A null pointer is ignored.
+    /// For primitives of other classes, such as a student's own. A null pointer is ignored.
     void push(std::shared_ptr<Primitive> primitive);
     void push(const Light& light);
     void setBackground(const Color& color);
 
     const std::vector<Light>& lights() const;
-    /// What a ray that hits nothing brings back; black unless set.
+    /// The colour that a ray brings back if it hits nothing; black unless set.
     const Color& background() const;
 
     /// Finds what the ray hits with minT < t < maxT.
-    /// @param hit  the nearest hit; with `any` just one of the hits; where there is none, its
-    ///             content means nothing
-    /// @param any  true: stop at the first hit found, as suits a shadow ray
+    /// @param hit  the nearest hit, or with `any` just one of the hits; without a hit, its content
+    ///             means nothing
+    /// @param any  true: stop at the first hit found, which is enough for shadow rays
     bool intersect(const Ray& ray, Intersection& hit, bool any = false) const;
     bool intersect(const Ray* ray, Intersection& hit, bool any = false) const {
         return intersect(*ray, hit, any);
     }
 
-    /// Does now what the first query would do: arranges the primitives for fast search.
+    /// Arranges the primitives for fast search. Otherwise the first query does so.
     void prepare() const;
 
-    /// Prepares the scene and tells what it consists of.
+    /// Prepares the scene and returns what it consists of.
     SceneParts parts() const;
 
 private:

@@ -29,8 +29,8 @@ dvec3 leastAlignedAxis(const dvec3& v) {
     return a.x <= a.z ? dvec3(1, 0, 0) : dvec3(0, 0, 1);
 }
 
-// To the right of the view. Below 2^-20 the direction of cross(view, up) is that of the float
-// coordinates' rounding errors.
+// To the right of the view. If cross(view, up) is shorter than 2^-20, its direction is noise: the
+// rounding errors of the float coordinates.
 dvec3 rightOf(const dvec3& view, const dvec3& up) {
     const dvec3 right = cross(view, up);
     if (glm::length(right) > 0x1p-20) return glm::normalize(right);
@@ -39,26 +39,26 @@ dvec3 rightOf(const dvec3& view, const dvec3& up) {
 
 }  // namespace
 
-Camera::Camera(const Vec3& origin, const Vec3& lookAt, const Vec3& upwards, float fov, float aspect)
-    : eye(origin), halfHeight(std::tan(fov * (std::acos(-1.0) / 360))), width(aspect) {
+Camera::Camera(const Vec3& origin, const Vec3& lookAt, const Vec3& up, float fov, float aspect)
+    : origin(origin), halfHeight(std::tan(fov * (std::acos(-1.0) / 360))), columns(aspect) {
     const dvec3 view = unitOr(num::toDouble(lookAt) - num::toDouble(origin), {0, 0, -1});
-    const dvec3 sideways = rightOf(view, unitOr(num::toDouble(upwards), {0, 0, 0}));
+    const dvec3 right = rightOf(view, unitOr(num::toDouble(up), {0, 0, 0}));
     store(forward, view);
-    store(right, sideways);
-    store(up, cross(sideways, view));
+    store(rightward, right);
+    store(upward, cross(right, view));
 }
 
-void Camera::setup(int pixelsAcross, int pixelsDown) {
-    width = pixelsAcross;
-    height = pixelsDown;
+void Camera::setup(int width, int height) {
+    columns = width;
+    rows = height;
 }
 
 Ray Camera::getRay(float x, float y) const {
-    const double pixel = 2 * halfHeight / height;
-    const double across = (x - width / 2) * pixel;
-    const double upwards = (height / 2 - y) * pixel;
-    const dvec3 direction = load(forward) + across * load(right) + upwards * load(up);
-    return Ray(eye, num::toFloat(glm::normalize(direction)), 0, FLT_MAX, RayKind::primary);
+    const double pixel = 2 * halfHeight / rows;
+    const double right = (x - columns / 2) * pixel;
+    const double up = (rows / 2 - y) * pixel;
+    const dvec3 direction = load(forward) + right * load(rightward) + up * load(upward);
+    return Ray(origin, num::toFloat(glm::normalize(direction)), 0, FLT_MAX, RayKind::primary);
 }
 
 }  // namespace sw

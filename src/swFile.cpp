@@ -20,7 +20,7 @@ std::string reason(int error) {
     throw FileError(path.string() + ": " + why);
 }
 
-// Where the bytes really go: behind symbolic links, which stay as they are.
+// The file that the bytes really go to: symbolic links are followed, and stay as they are.
 fs::path resolve(const fs::path& path) {
     if (path.empty()) fail(path, "expected the name of a file, found an empty one");
     if (path.filename().empty()) fail(path, "is a folder; expected the name of a file");
@@ -53,12 +53,12 @@ void requireFolder(const fs::path& path, const fs::path& target) {
                        "; create it or name another");
 }
 
-void writeThrough(const fs::path& file, std::string_view content, const fs::path& shown) {
+void writeThrough(const fs::path& file, std::string_view content, const fs::path& named) {
     errno = 0;
     std::ofstream out(file, std::ios::binary);
     out.write(content.data(), static_cast<std::streamsize>(content.size()));
     out.close();
-    if (!out) fail(shown, "cannot write: " + reason(errno));
+    if (!out) fail(named, "cannot write: " + reason(errno));
 }
 
 // Removes the temporary file unless it was renamed.
@@ -76,7 +76,7 @@ std::string readFile(const fs::path& path) {
     std::error_code none;
     if (!fs::exists(path, none)) fail(path, "not found; is the path right?");
     if (fs::is_directory(path, none)) fail(path, "is a folder; expected a file");
-    // Not an ifstream: some libraries take a read error for the end of the file.
+    // Not an ifstream: with some libraries a read error looks like the end of the file.
     errno = 0;
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(
         std::fopen(path.string().c_str(), "rb"), std::fclose);

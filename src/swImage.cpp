@@ -6,7 +6,7 @@
 
 #include "swFile.h"
 
-// Static, so that programs with an stb of their own can link the library.
+// Static, so that programs with an stb of their own can link to the library.
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #include <stb_image_write.h>
@@ -18,10 +18,14 @@ Image::Image(int width, int height)
       rows(height),
       pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
+double codeValue(float linear, float gamma) {
+    return 256 * static_cast<double>(std::pow(clampToDisplay(linear), 1 / gamma));
+}
+
 std::uint8_t toByte(float linear, float gamma) {
     if (!(linear > 0)) return 0;  // std::pow of a negative radiance would be NaN
-    const float encoded = std::pow(linear, 1 / gamma);
-    return static_cast<std::uint8_t>(256 * (encoded < 0.999f ? encoded : 0.999f));
+    const float display = std::pow(linear, 1 / gamma);
+    return static_cast<std::uint8_t>(256 * (display < 0.999f ? display : 0.999f));
 }
 
 void writePng(const Image& image, const std::filesystem::path& path, float gamma) {

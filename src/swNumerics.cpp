@@ -6,15 +6,15 @@
 namespace sw::num {
 namespace {
 
-// The neighbour of x in the direction of `towards`: floats of one sign are ordered like their bits.
-// Unlike std::nextafter it stays at 0, and it is not a call.
+// The neighbouring float of x in the direction of `towards`: floats of one sign are ordered like
+// their bits. Unlike std::nextafter it leaves 0 as it is, and is inlined.
 float neighbour(float x, float towards) {
     const auto bits = std::bit_cast<std::int32_t>(x);
     const bool grows = (x > 0) == (towards > 0);
     return x == 0 || towards == 0 ? x : std::bit_cast<float>(bits + (grows ? 1 : -1));
 }
 
-// x as a float, and one step further so that rounding cannot bring it back.
+// x as a float, one step further so that rounding cannot undo the move.
 float roundTowards(double x, float towards) {
     return neighbour(static_cast<float>(x), towards);
 }

@@ -13,26 +13,26 @@ dvec3 side(const Triangle& triangle, int i) {
     return num::toDouble(triangle.vertices[i]) - num::toDouble(triangle.vertices[0]);
 }
 
-// As unit as floats can be: scaling such a normal again would only change its last digits.
+// As close to unit length as floats get: scaling such a normal again would only change last digits.
 bool isUnit(const dvec3& n) {
     return std::fabs(dot(n, n) - 1) <= 8 * num::unitRoundoff;
 }
 
-// n as floats of unit length; `otherwise` where n has no direction.
-Vec3 unitOr(const dvec3& n, const Vec3& otherwise) {
+// n scaled to unit length; `fallback` if n has no direction.
+Vec3 unitOr(const dvec3& n, const Vec3& fallback) {
     if (isUnit(n)) return num::toFloat(n);
     const double length = std::sqrt(dot(n, n));
-    return length > 0 && length < HUGE_VAL ? num::toFloat(n / length) : otherwise;
+    return length > 0 && length < HUGE_VAL ? num::toFloat(n / length) : fallback;
 }
 
-// Where a point of the triangle's plane lies: v0 + v (v1 - v0) + w (v2 - v0).
-struct Spot {
+// The point v0 + v (v1 - v0) + w (v2 - v0) of a triangle.
+struct Barycentric {
     double v, w;
 };
 
-// Signed areas in units of the whole. At a vertex the result is exactly 0 or 1; rounding of the
-// point may put it outside by a little.
-Spot spotOf(const Triangle& triangle, const Vec3& point) {
+// Signed areas relative to the whole triangle. At a vertex they are exactly 0 or 1. The point was
+// rounded and may lie just outside: hence the clamps.
+Barycentric barycentric(const Triangle& triangle, const Vec3& point) {
     const dvec3 e1 = side(triangle, 1), e2 = side(triangle, 2), n = cross(e1, e2);
     const dvec3 p = num::toDouble(point) - num::toDouble(triangle.vertices[0]);
     const double area = dot(n, n);
@@ -42,8 +42,8 @@ Spot spotOf(const Triangle& triangle, const Vec3& point) {
 
 }  // namespace
 
-Patch::Patch(const Vec3* v, const Vec3* n, const Material& surface)
-    : Primitive(surface), triangle(v, surface) {
+Patch::Patch(const Vec3* v, const Vec3* n, const Material& material)
+    : Primitive(material), triangle(v, material) {
     const Vec3 own = unitOr(cross(side(triangle, 1), side(triangle, 2)), Vec3());
     for (int i = 0; i < 3; ++i) normals[i] = unitOr(num::toDouble(n[i]), own);
 }
@@ -53,15 +53,15 @@ bool Patch::intersect(const Ray& ray, Intersection& hit) const {
     hit.material = material;
     hit.geometricNormal = hit.normal;
 
-    const auto [v, w] = spotOf(triangle, hit.position);
+    const auto [v, w] = barycentric(triangle, hit.position);
     const dvec3 n0 = num::toDouble(normals[0]);
     const dvec3 outward =
         n0 + v * (num::toDouble(normals[1]) - n0) + w * (num::toDouble(normals[2]) - n0);
-    const Vec3 bent = unitOr(hit.frontFacing ? outward : -outward, hit.normal);
-    const dvec3 rounded = num::toDouble(bent);
-    const bool isAbove = dot(rounded, num::toDouble(hit.normal)) > 0;
-    const bool facesRay = dot(rounded, num::toDouble(ray.dir)) < 0;
-    if (isAbove && facesRay) hit.normal = bent;
+    hit.setFace(unitOr(outward, Vec3()), hit.frontFacing);
+    const dvec3 shading = num::toDouble(hit.normal);
+    const bool isAbove = dot(shading, num::toDouble(hit.geometricNormal)) > 0;
+    const bool facesRay = dot(shading, num::toDouble(ray.dir)) < 0;
+    if (!(isAbove && facesRay)) hit.normal = hit.geometricNormal;
     return true;
 }
 

@@ -41,7 +41,7 @@ public:
         try {
             for (int i = 1; i < threadCount(); ++i) helpers.emplace_back([this] { work(); });
         } catch (const std::system_error&) {
-            // The host grants no more threads: those that run will do.
+            // The system grants no more threads: those that run will do.
         }
         work();
         for (std::thread& helper : helpers) helper.join();
@@ -64,7 +64,7 @@ private:
         return std::clamp(wanted, 1, std::max(1, tiles));
     }
 
-    // What one thread does: tiles, until none is left.
+    // The work of one thread: it renders tiles until none is left.
     void work() {
         takeRayCount();  // forgets what the calling thread traced before
         PixelSamples samples(options.pattern, options.samples);

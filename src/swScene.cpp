@@ -5,8 +5,8 @@
 #include <mutex>
 #include <thread>
 
-#include "accel/flatShapes.h"
-#include "accel/shapeBlocks.h"
+#include "accel/shapeLeaves.h"
+#include "accel/shapePackets.h"
 #include "accel/shapeSet.h"
 #include "swRayCount.h"
 
@@ -14,10 +14,10 @@ namespace sw {
 
 struct Scene::Content {
     template <typename Shape>
-    using PlainSet = ShapeSet<Shape, PlainBlock, PlainBlocks<Shape>>;
+    using PlainSet = ShapeSet<Shape, PlainPacket, PlainLeaves<Shape>>;
 
-    ShapeSet<Sphere, SphereBlock, SphereBlocks> spheres;
-    ShapeSet<Triangle, TriangleBlock, TriangleBlocks> triangles;
+    ShapeSet<Sphere, SpherePacket, SphereLeaves> spheres;
+    ShapeSet<Triangle, TrianglePacket, TriangleLeaves> triangles;
     PlainSet<Cone> cones;
     PlainSet<Patch> patches;
     PlainSet<std::shared_ptr<Primitive>> others;
@@ -35,7 +35,7 @@ struct Scene::Content {
           lights(other.lights),
           background(other.background) {}
 
-    // Does what the first query needs, whichever thread asks first.
+    // Prepares the content for queries; the first thread to ask does the work.
     void prepare() {
         if (ready.load(std::memory_order_acquire)) return;
         const std::lock_guard lock(preparing);

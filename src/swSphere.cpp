@@ -29,20 +29,15 @@ bool Sphere::intersect(const Ray& ray, Intersection& hit) const {
     double exit = (dot(f, f) - r * r) / q;
     if (!std::signbit(b)) std::swap(entry, exit);
 
-    const auto counts = [&](double t) {
-        const float rounded = static_cast<float>(t);
-        return ray.minT < rounded && rounded < ray.maxT;  // false for NaN
-    };
-    const bool fromOutside = radius > 0 && counts(entry);
-    if (!fromOutside && !counts(exit)) return false;
+    const bool fromOutside = radius > 0 && ray.contains(static_cast<float>(entry));
+    if (!fromOutside && !ray.contains(static_cast<float>(exit))) return false;
 
     const double t = fromOutside ? entry : exit;
     const dvec3 outward = glm::normalize(f + t * d);
     hit.hitT = static_cast<float>(t);
-    // From the centre, not along the ray: on the surface however far the ray came.
+    // From the centre, not along the ray: exact however far the ray came.
     hit.position = num::toFloat(num::toDouble(center) + r * outward);
-    hit.normal = num::toFloat(fromOutside ? outward : -outward);
-    hit.frontFacing = fromOutside == (radius > 0);
+    hit.setFace(num::toFloat(outward), fromOutside, radius < 0);
     hit.material = material;
     hit.ray = ray;
     hit.positionError = num::surfaceError(hit.position, 2 * std::fabs(radius));
@@ -50,7 +45,7 @@ bool Sphere::intersect(const Ray& ray, Intersection& hit) const {
 }
 
 Bounds Sphere::bounds() const {
-    // Half an ulp may be lost per coordinate; one step outwards gives it back.
+    // Each coordinate may be off by half an ulp: one step outwards makes up for it.
     const float r = std::fabs(radius);
     Bounds box;
     for (int i = 0; i < 3; ++i) {

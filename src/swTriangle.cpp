@@ -12,9 +12,9 @@
 // accept four times the area. In floats, and with Q computed first, neighbours can disagree about a
 // ray through their common edge, and it slips between them.
 //
-// Here instead: Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (JCGT 2013). Each
+// This code follows Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (JCGT 2013). Each
 // vertex is projected along the ray onto a coordinate plane; three edge functions tell on which
-// side of its edges the ray passes. A vertex is projected the same way for all of its triangles,
+// side of its edges the ray passes. A vertex is projected in the same way for all of its triangles,
 // and rounding never turns the sign of a b - c d into its opposite, only into 0. So neighbours
 // cannot both say "outside". FMA instructions would break this: see -ffp-contract in
 // CMakeLists.txt.
@@ -53,7 +53,7 @@ private:
         unsigned char x, y, z;  // right-handed; the direction is longest along z
     };
 
-    // From a table, as no processor can guess a branch on the direction.
+    // From a table: a branch on the direction would be unpredictable.
     static const Axes& axesOf(const Vec3& d) {
         static constexpr Axes table[2][2] = {{{0, 1, 2}, {0, 1, 2}}, {{2, 0, 1}, {1, 2, 0}}};
         const float x = std::fabs(d.m[0]), y = std::fabs(d.m[1]), z = std::fabs(d.m[2]);
@@ -70,8 +70,8 @@ double edge(const Projected& p, const Projected& q) {
     return p.x * q.y - p.y * q.x;
 }
 
-// The normal of a triangle whose area is not lost in rounding: each term of e1 x e2 carries an
-// error of a few 2^-53 |e1| |e2|.
+// Whether the area of a triangle with edges e1, e2 and normal n = e1 x e2 is more than rounding:
+// each term of n carries an error of a few 2^-53 |e1| |e2|.
 bool hasArea(const dvec3& n, const dvec3& e1, const dvec3& e2) {
     return dot(n, n) > 0x1p-100 * dot(e1, e1) * dot(e2, e2);
 }
@@ -89,16 +89,16 @@ bool Triangle::intersect(const Ray& ray, Intersection& hit) const {
     const Projected c = project(vertices[2]);
 
     const double u = edge(b, c), w = edge(c, a), v = edge(a, b);
-    // One test of all signs: a processor cannot guess them one by one.
+    // One test of all signs, as branches on each would be unpredictable.
     const double lowest = std::min(u, std::min(w, v)), highest = std::max(u, std::max(w, v));
     if (static_cast<int>(lowest < 0) & static_cast<int>(highest > 0)) return false;
 
-    // Far from overflow for any floats. Infinite for a triangle seen edge-on, where t is NaN as all
+    // No float comes near an overflow. Seen edge-on, the scale is infinite and t is NaN, as all
     // edge functions are 0.
     const double scale = 1 / ((u + w + v) * project.along());
     const double t = (u * a.z + w * b.z + v * c.z) * scale;
     const float rounded = static_cast<float>(t);
-    if (!(ray.minT < rounded && rounded < ray.maxT)) return false;  // outside, or NaN
+    if (!ray.contains(rounded)) return false;
 
     const dvec3 v0 = num::toDouble(vertices[0]);
     const dvec3 e1 = num::toDouble(vertices[1]) - v0;
@@ -107,11 +107,9 @@ bool Triangle::intersect(const Ray& ray, Intersection& hit) const {
     if (!hasArea(n, e1, e2)) return false;
 
     const double weight = project.along() * scale;
-    const double against = -dot(n, num::toDouble(ray.dir));
     hit.hitT = rounded;
     hit.position = num::toFloat(v0 + w * weight * e1 + v * weight * e2);
-    hit.frontFacing = against > 0;
-    hit.normal = num::toFloat(std::copysign(1 / std::sqrt(dot(n, n)), against) * n);
+    hit.setFace(num::toFloat(1 / std::sqrt(dot(n, n)) * n), dot(n, num::toDouble(ray.dir)) < 0);
     hit.material = material;
     hit.ray = ray;
     hit.positionError = num::surfaceError(hit.position, sumOfAbs(e1) + sumOfAbs(e2));

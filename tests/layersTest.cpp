@@ -23,7 +23,7 @@ const Names values{
     "swVec3", "swRay",          "swLight",    "swMaterial", "swBounds",           "swNumerics",
     "swFile", "swIntersection", "swRayCount", "swSampling", "sampling/splitMix64"};
 const Names shapes{"swPrimitive", "swSphere", "swTriangle", "swCone", "swPatch"};
-const Names scene{"swBvh", "swScene"};
+const Names scene{"swBvh", "swBvhNode", "swScene"};
 
 bool startsWith(const std::string& text, const std::string& start) {
     return text.compare(0, start.size(), start) == 0;

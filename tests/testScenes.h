@@ -25,15 +25,15 @@ inline int hitBy(const sw::Scene& scene, const sw::Ray& ray, bool any = false) {
 /// given z, which fills the record before it knows whether the ray's interval holds the hit.
 class Plane : public sw::Primitive {
 public:
-    Plane(float height, const sw::Material& surface) : Primitive(surface), z(height) {}
+    Plane(float z, const sw::Material& material) : Primitive(material), z(z) {}
     bool intersect(const sw::Ray& ray, sw::Intersection& hit) const override {
         hit.hitT = (z - ray.orig[2]) / ray.dir[2];
-        hit.position = ray.orig + hit.hitT * ray.dir;
+        hit.position = ray.at(hit.hitT);
         hit.frontFacing = ray.dir[2] < 0;
         hit.normal = sw::Vec3(0, 0, hit.frontFacing ? 1.f : -1.f);
         hit.material = material;
         hit.ray = ray;
-        return ray.minT < hit.hitT && hit.hitT < ray.maxT;
+        return ray.contains(hit.hitT);
     }
 
 private:

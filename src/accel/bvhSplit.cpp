@@ -10,13 +10,14 @@ namespace {
 
 constexpr int maxBins = 16;
 
-// Which bin a centre belongs to, on all three axes at once.
+// Finds the bin of a centroid, on all three axes at once.
 class Binning {
 public:
-    Binning(const Float& centres, int bins) : last(simd::broadcast(static_cast<float>(bins - 1))) {
-        const Float swapped = simd::swapHalves(centres);
+    Binning(const Float& centroids, int bins)
+        : last(simd::broadcast(static_cast<float>(bins - 1))) {
+        const Float swapped = simd::swapHalves(centroids);
         Item extent, factor{};
-        store(centres + swapped, extent);
+        store(centroids + swapped, extent);
         for (int axis = 0; axis < 3; ++axis) {
             const float perUnit = static_cast<float>(bins) / extent.lane[axis];
             separable[axis] = extent.lane[axis] > 0 && perUnit > 0 && perUnit <= FLT_MAX;
@@ -26,10 +27,10 @@ public:
         scale = simd::load(factor.lane);
     }
 
-    // Axis by axis, in lanes 4 to 6.
-    void operator()(const Float& centreBox, int (&bin)[simd::lanes]) const {
+    // Fills in lanes 4 to 6: the bins along x, y and z.
+    void operator()(const Float& centroidBox, int (&bin)[simd::lanes]) const {
         Item k;
-        store(simd::min((centreBox + minusLowest) * scale, last), k);
+        store(simd::min((centroidBox + minusLowest) * scale, last), k);
         for (int i = 4; i < 7; ++i) bin[i] = static_cast<int>(k.lane[i]);
     }
 
@@ -55,7 +56,7 @@ void fill(Bins& bins, int n, std::span<const Item> items, const Binning& binning
     for (const Item& item : items) {
         const Float box = simd::load(item.lane);
         int bin[simd::lanes];
-        binning(centre(box), bin);
+        binning(centroid(box), bin);
         for (int axis = 0; axis < 3; ++axis) {
             Float& sum = bins.box[axis][bin[axis + 4]];
             sum = simd::max(sum, box);
@@ -64,7 +65,7 @@ void fill(Bins& bins, int n, std::span<const Item> items, const Binning& binning
     }
 }
 
-// Fewer bins for few items: looking through the bins would cost more than the items themselves.
+// Small ranges get fewer bins: sweeping over 16 would cost more than the items themselves.
 int binsFor(std::uint32_t count) {
     return count < 64 ? 8 : maxBins;
 }
@@ -83,17 +84,17 @@ float halfArea(const Float& box, float scale) {
     return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
 }
 
-Range Splitter::around(std::uint32_t first, std::uint32_t count) const {
+Range SahSplitter::around(std::uint32_t first, std::uint32_t count) const {
     Range range{first, count, emptyBox(), emptyBox()};
     for (const Item& item : items.subspan(first, count)) {
         const Float box = simd::load(item.lane);
         range.box = simd::max(range.box, box);
-        range.centres = simd::max(range.centres, centre(box));
+        range.centroids = simd::max(range.centroids, centroid(box));
     }
     return range;
 }
 
-Range Splitter::whole() {
+Range SahSplitter::whole() {
     const Range range = around(0, static_cast<std::uint32_t>(items.size()));
     float b[simd::lanes];
     std::memcpy(b, &range.box, sizeof b);
@@ -103,8 +104,9 @@ Range Splitter::whole() {
     return range;
 }
 
-// The cheapest place between the n bins of an axis, if it costs less than `best`.
-void Splitter::sweep(const Float* boxes, const std::uint32_t* counts, int axis, Cut& best) const {
+// Finds the cheapest split between the bins of an axis, if it costs less than `best`.
+void SahSplitter::sweep(const Float* boxes, const std::uint32_t* counts, int axis,
+                        Split& best) const {
     Float right[maxBins];
     float rightCost[maxBins];
     Float box = emptyBox();
@@ -125,10 +127,10 @@ void Splitter::sweep(const Float* boxes, const std::uint32_t* counts, int axis, 
     }
 }
 
-Splitter::Cut Splitter::findCut(const Range& range) const {
-    Cut best;
+SahSplitter::Split SahSplitter::findSplit(const Range& range) const {
+    Split best;
     best.bins = binsFor(range.count);
-    const Binning binning(range.centres, best.bins);
+    const Binning binning(range.centroids, best.bins);
     Bins bins;
     fill(bins, best.bins, items.subspan(range.first, range.count), binning);
     for (int axis = 0; axis < 3; ++axis)
@@ -136,31 +138,32 @@ Splitter::Cut Splitter::findCut(const Range& range) const {
     return best;
 }
 
-void Splitter::apply(const Cut& cut, const Range& range, Range& left, Range& right) const {
-    if (cut.axis < 0) return cutInTheMiddle(range, left, right);
-    const Binning binning(range.centres, cut.bins);
+void SahSplitter::partition(const Split& split, const Range& range, Range& left,
+                            Range& right) const {
+    if (split.axis < 0) return splitByNumber(range, left, right);
+    const Binning binning(range.centroids, split.bins);
     const Float keep = simd::broadcast(0), drop = emptyBox();
     const Float toLeft[2] = {drop, keep}, toRight[2] = {keep, drop};
-    Float leftCentres = drop, rightCentres = drop;
+    Float leftCentroids = drop, rightCentroids = drop;
     Item* middle = &items[range.first];
     for (Item& item : items.subspan(range.first, range.count)) {
         const Float box = simd::load(item.lane);
-        const Float c = centre(box);
+        const Float c = centroid(box);
         int bin[simd::lanes];
         binning(c, bin);
-        const bool isLeft = bin[cut.axis + 4] <= cut.bin;
-        leftCentres = simd::max(leftCentres, c + toLeft[isLeft]);
-        rightCentres = simd::max(rightCentres, c + toRight[isLeft]);
+        const bool isLeft = bin[split.axis + 4] <= split.bin;
+        leftCentroids = simd::max(leftCentroids, c + toLeft[isLeft]);
+        rightCentroids = simd::max(rightCentroids, c + toRight[isLeft]);
         item = *middle;  // Lomuto's partition, without a branch
         std::memcpy(middle, &box, sizeof box);
         middle += isLeft;
     }
     const auto leftCount = static_cast<std::uint32_t>(middle - &items[range.first]);
-    left = {range.first, leftCount, cut.left, leftCentres};
-    right = {range.first + leftCount, range.count - leftCount, cut.right, rightCentres};
+    left = {range.first, leftCount, split.left, leftCentroids};
+    right = {range.first + leftCount, range.count - leftCount, split.right, rightCentroids};
 }
 
-void Splitter::cutInTheMiddle(const Range& range, Range& left, Range& right) const {
+void SahSplitter::splitByNumber(const Range& range, Range& left, Range& right) const {
     const std::uint32_t half = range.count / 2, first = range.first, count = range.count;
     left = around(first, half);
     right = around(first + half, count - half);

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a ray finds its way through a Bvh. A header because the leaf test is compiled into the loop.
+// The traversal of a Bvh. It is a header so that the leaf test is compiled into the loop.
 //
 // No box that a ray truly meets may be missed by rounding (Ize, Robust BVH Ray Traversal, JCGT
 // 2013). The entry into the slab between two planes is computed as (plane - origin) * (1 / dir):
@@ -38,12 +38,12 @@ namespace {  // programs and library may be compiled for different machines: no 
 
 constexpr float slabMargin = 0x1p-20f;
 
-/// A little more than t: for comparisons with distances to boxes.
+/// A little more than t, for comparisons with distances to boxes.
 inline float widened(float t) {
     return t + std::fabs(t) * slabMargin;
 }
 
-/// A ray, prepared for being tested against eight boxes at a time.
+/// A ray prepared for tests against eight boxes at a time.
 /// @tparam behind  whether minT is negative
 template <bool behind>
 class RaySlabs {
@@ -91,16 +91,16 @@ private:
     std::ptrdiff_t entryPlane[3], exitPlane[3];
 };
 
-/// Asks for what will be visited soon: beyond a million primitives most of the time is spent
-/// waiting for memory.
+/// Fetches what will be visited soon: beyond a million primitives, most time goes into waiting for
+/// memory.
 template <typename Leaf>
 void prefetch(const Bvh::Node* nodes, std::uint32_t child, const Leaf& leaf) {
-    if (!Bvh::isLeaf(child)) return simd::prefetch(nodes + child, sizeof(Bvh::Node));
+    if (!BvhNode::isLeaf(child)) return simd::prefetch(nodes + child, sizeof(Bvh::Node));
     if constexpr (requires { leaf.prefetch(child, child); })
-        leaf.prefetch(Bvh::leafFirst(child), Bvh::leafCount(child));
+        leaf.prefetch(BvhNode::leafFirst(child), BvhNode::leafCount(child));
 }
 
-/// For every set of eight bits the numbers of those that are set, three bits each.
+/// For every set of eight bits: the numbers of the bits that are set, three bits each.
 inline constexpr auto bitNumbers = [] {
     std::array<std::uint32_t, 1u << Bvh::width> table{};
     for (unsigned set = 0; set < table.size(); ++set)
@@ -109,8 +109,8 @@ inline constexpr auto bitNumbers = [] {
     return table;
 }();
 
-/// Children still to be visited, the next one on top. Every level of the tree leaves at most seven
-/// of them here.
+/// The children still to be visited, the next one on top. Every level of the tree leaves at most
+/// seven.
 class TraversalStack {
 public:
     bool empty() const { return size == 0; }
@@ -125,8 +125,8 @@ public:
         return children[size];
     }
 
-    /// Puts the children on the stack that are hit, the first ones in the order at the bottom.
-    /// Without branches: no processor can guess what a ray hits.
+    /// Pushes all children that are hit but the nearest, in the given order, and returns the
+    /// nearest. Without branches, as these would be unpredictable.
     std::uint32_t push(const Bvh::Node& node, std::uint32_t order, const simd::Mask& hit,
                        const simd::Float& entry) {
 #ifdef SW_SIMD_PERMUTE
@@ -155,7 +155,7 @@ public:
     }
 
 private:
-    // Eight are written at a time.
+    // Eight entries are written at a time.
     static constexpr int capacity = (Bvh::width - 1) * Bvh::maxDepth + 1 + Bvh::width;
     std::uint32_t children[capacity];
     float distances[capacity];
@@ -171,7 +171,7 @@ Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
     float limit = widened(maxT);
     std::uint32_t child = 0;
     for (;;) {
-        if (!Bvh::isLeaf(child)) {
+        if (!BvhNode::isLeaf(child)) {
             const Bvh::Node& node = nodes[child];
             ++cost.nodes;
             simd::Float entry;
@@ -188,8 +188,8 @@ Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
                 continue;
             }
         } else {
-            cost.primitives += Bvh::leafCount(child);
-            if (leaf(Bvh::leafFirst(child), Bvh::leafCount(child), maxT)) return cost;
+            cost.primitives += BvhNode::leafCount(child);
+            if (leaf(BvhNode::leafFirst(child), BvhNode::leafCount(child), maxT)) return cost;
             limit = widened(maxT);
         }
         float distance;
@@ -204,7 +204,7 @@ Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
 
 template <typename Leaf>
 Bvh::Cost Bvh::traverse(const Ray& ray, Leaf&& leaf) const {
-    float sum = 0;  // NaN if a coordinate is infinite or NaN: such a ray meets nothing
+    float sum = 0;  // becomes NaN if a coordinate is infinite or NaN: such a ray meets nothing
     for (int i = 0; i < 3; ++i) sum += 0 * ray.orig.m[i] + 0 * ray.dir.m[i];
     if (nodes.empty() || sum != 0 || !(ray.minT < ray.maxT)) return {};
     if (ray.minT < 0) return traverseNodes<true>(nodes.data(), ray, leaf);

@@ -1,8 +1,8 @@
 #pragma once
 
-// A quick look, in float and at eight shapes at a time, at which shapes a ray may hit. It errs on
-// one side only: with margins for every rounding error, it never misses a shape that the exact
-// kernel would hit. What it lets through goes to Sphere::intersect or Triangle::intersect.
+// Filters: which of eight shapes may a ray hit? They compute in float, eight shapes at a time, and
+// err on one side only: with margins for every rounding error, they never miss a shape that the
+// exact kernel would hit. What they let through goes to Sphere::intersect or Triangle::intersect.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ using namespace simd;
 
 constexpr float u = num::unitRoundoff;
 
-// Below this, products may have lost their digits to underflow: then nothing is rejected.
+// Below this, products may have lost digits to underflow: then nothing is rejected.
 constexpr float smallest = 0x1p-100f;
 
 struct Float3 {
@@ -47,8 +47,8 @@ inline Float largest(const Float3& a) {
     return max(max(abs(a.x), abs(a.y)), abs(a.z));
 }
 
-// An error bound of a few u times x. Infinite, so that nothing is rejected, where terms of the size
-// of x come near the end of the range: their sums may have overflowed.
+// An error bound of a few u times x. It is infinite, so that nothing is rejected, if terms of the
+// size of x come near the end of the range: their sums may have overflowed.
 inline Float bound(float roundings, Float x) {
     return x * 0x1p20f * (roundings * u * 0x1p-20f) + broadcast(smallest);
 }
@@ -65,8 +65,8 @@ inline float longestComponent(const Vec3& e1, const Vec3& e2) {
 struct PlaneHits {
     Float det, v, w;
     Float detError, vwError;
-    Mask signKnown;  // of det; where it is not, nothing can be said
-    Mask off;        // v < 0 or w < 0, or t out of the ray's range
+    Mask signKnown;  // of det; if it is not, nothing is rejected
+    Mask off;        // v < 0 or w < 0, or t outside the ray's range
 
     PlaneHits(const FilterRay& ray, const Float3& v0, const Float3& e1, const Float3& e2,
               const Float& extent) {
@@ -85,7 +85,7 @@ struct PlaneHits {
         detError = bound(64, extent * extent);
         vwError = bound(64, area);
         signKnown = det > detError;
-        // minT det <= t <= maxT det, with an error of det for either end.
+        // minT det <= t <= maxT det; the error of det counts at both ends.
         const Float early = broadcast(ray.minT) * det - abs(broadcast(ray.minT)) * detError;
         const Float late = broadcast(ray.maxT) * (det + detError);
         const Float none = broadcast(0) - vwError;
@@ -104,7 +104,7 @@ inline Mask spheresMissed(const FilterRay& ray, const Float3& f, const Float& r)
     const Float sum = ff + rr;
     const Mask missed = b * b + bound(32, a * sum) < a * (ff - rr);
 
-    // Behind: outside of the sphere and moving away from its centre. |f| |d| <= (f.f + a) / 2.
+    // Behind: the ray starts outside and moves away from the centre. |f| |d| <= (f.f + a) / 2.
     const Float start = broadcast(ray.minT >= 0 ? 0 : HUGE_VALF);
     const Float error = bound(8, ff + a + r);
     const Mask behind = (b > start + error) & (ff - rr > bound(8, sum));

@@ -10,9 +10,9 @@
 
 namespace sw {
 
-/// A ray as the filters want it: its direction divided by a power of two, so that the largest
-/// component lies in [1/2, 1). That is exact and keeps products within the range of float. NaN,
-/// which lets every shape through, where the direction is too long for that.
+/// A ray for the filters. Its direction is divided by a power of two, so that the largest component
+/// lies in [1/2, 1): that is exact, and keeps products within the range of float. A direction too
+/// long for that becomes NaN, which lets every shape through.
 struct FilterRay {
     Vec3 orig, dir;
     float dirSquared;  ///< |dir|^2
@@ -20,7 +20,7 @@ struct FilterRay {
     float minT, maxT;  ///< in units of dir
 
     explicit FilterRay(const Ray& ray) : orig(ray.orig), dir(ray.dir) {
-        // The power of two comes from the exponent's bits: frexp and ldexp take too long here.
+        // The power of two comes from the exponent's bits, as frexp and ldexp are too slow here.
         constexpr std::uint32_t one = 1u << 23;  // in the exponent of a float
         const auto bits = std::bit_cast<std::uint32_t>(num::maxAbs(dir));
         const std::uint32_t exponent = std::max(bits & 0x7f800000u, one) + one;

@@ -7,21 +7,22 @@
 
 namespace sw {
 
-/// Looks for hits along one ray, and shortens it to the nearest one so far.
+/// A search for hits along one ray, which gets shortened to the nearest hit so far.
 class Search {
 public:
-    /// @param asked  must outlive the search, and not be part of the result
-    Search(const Ray& asked, Intersection& result, bool anyHit)
-        : filterRay(asked), any(anyHit), whole(asked), rest(&asked), nearest(result) {}
+    /// @param whole    the ray; must outlive the search, and not be part of `nearest`
+    /// @param nearest  receives the nearest hit, or with `any` the first one found
+    Search(const Ray& whole, Intersection& nearest, bool any)
+        : filterRay(whole), any(any), whole(whole), rest(&whole), nearest(nearest) {}
     Search(const Search&) = delete;
     Search& operator=(const Search&) = delete;
 
-    /// Tests one shape. Returns whether the search is over.
+    /// Tests one shape. Returns true if the search is over.
     template <typename Shape>
     bool test(const Shape& shape) {
         if (found) return testForNearer(shape);
         nearest = Intersection();
-        if (!intersect(shape, nearest) || !counts(nearest.hitT)) return false;
+        if (!intersect(shape, nearest) || !rest->contains(nearest.hitT)) return false;
         shorten();
         return any;
     }
@@ -29,7 +30,7 @@ public:
     /// The same for a primitive of which nothing is known.
     bool test(const std::shared_ptr<Primitive>& shape) { return testForNearer(*shape); }
 
-    /// Makes the record name the ray as it was asked.
+    /// Puts the whole ray into the record.
     void finish() { nearest.ray = whole; }
 
     /// What is left of the ray.
@@ -40,22 +41,20 @@ public:
     const bool any;
 
 private:
-    // With a record of its own: a primitive may scribble into it before it knows that it is missed.
+    // Uses a record of its own, as a primitive may write into it before it finds that it is missed.
     template <typename Shape>
     bool testForNearer(const Shape& shape) {
         Intersection candidate;
-        if (!intersect(shape, candidate) || !counts(candidate.hitT)) return false;
+        if (!intersect(shape, candidate) || !rest->contains(candidate.hitT)) return false;
         nearest = candidate;
         shorten();
         return any;
     }
 
-    bool counts(float t) const { return rest->minT < t && t < rest->maxT; }  // false for NaN
-
     void shorten() {
         found = true;
         if (any) return;
-        // Copied only now, as rays that hit nothing, or end at their first hit, never need it.
+        // Copied only now: rays that hit nothing, or stop at the first hit, need no copy.
         shortened = whole;
         shortened.maxT = nearest.hitT;
         rest = &shortened;

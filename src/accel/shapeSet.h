@@ -12,37 +12,37 @@
 
 namespace sw {
 
-/// Shapes of one type. A few are looked at block by block; many stand in a tree.
-/// @tparam Block   up to eight of the few; see flatShapes.h
-/// @tparam Leaves  the leaves of the tree; see shapeBlocks.h
-template <typename Shape, typename Block, typename Leaves>
+/// Shapes of one type. A few are scanned packet by packet; many go into a tree.
+/// @tparam Packet  up to eight shapes outside the tree; see shapePackets.h
+/// @tparam Leaves  the leaves of the tree; see shapeLeaves.h
+template <typename Shape, typename Packet, typename Leaves>
 class ShapeSet {
 public:
     void push(Shape shape) {
-        takeFromTree();
-        few.push_back(std::move(shape));
+        dissolveTree();
+        outside.push_back(std::move(shape));
     }
 
-    /// Must be called between the last push and the first search.
+    /// Call this between the last push and the first search.
     void prepare(int threads) {
         const auto unbounded = std::stable_partition(
-            few.begin(), few.end(), [](const Shape& s) { return boundsOf(s).isFinite(); });
-        if (unbounded - few.begin() > Block::few) plantTree(unbounded, threads);
-        blocks.clear();
-        std::vector<std::uint32_t> pending(few.size());
+            outside.begin(), outside.end(), [](const Shape& s) { return boundsOf(s).isFinite(); });
+        if (unbounded - outside.begin() > Packet::linearLimit) buildTree(unbounded, threads);
+        packets.clear();
+        std::vector<std::uint32_t> pending(outside.size());
         std::iota(pending.begin(), pending.end(), 0);
-        while (!pending.empty()) blocks.emplace_back(few, pending);
+        while (!pending.empty()) packets.emplace_back(outside, pending);
     }
 
-    std::size_t size() const { return few.size() + tree.order().size(); }
-    bool hasTree() const { return planted; }
+    std::size_t size() const { return outside.size() + tree.order().size(); }
+    bool hasTree() const { return treeBuilt; }
 
     /// Returns whether the search is over.
     bool find(Search& search) const {
         if (hasTree() && findInTree(search)) return true;
-        for (const Block& block : blocks)
-            if (testEach(search, block.candidates(search.filterRay),
-                         [&](int i) -> const Shape& { return few[block.number(i)]; }))
+        for (const Packet& packet : packets)
+            if (testEach(search, packet.candidates(search.filterRay),
+                         [&](int i) -> const Shape& { return outside[packet.number(i)]; }))
                 return true;
         return false;
     }
@@ -52,19 +52,20 @@ private:
     static Bounds boundsOf(const std::shared_ptr<Primitive>& shape) { return shape->bounds(); }
 
     // Moves the shapes before `end` into the tree.
-    void plantTree(typename std::vector<Shape>::iterator end, int threads) {
-        std::vector<Shape> rest(std::make_move_iterator(end), std::make_move_iterator(few.end()));
-        few.erase(end, few.end());
+    void buildTree(typename std::vector<Shape>::iterator end, int threads) {
+        std::vector<Shape> rest(std::make_move_iterator(end),
+                                std::make_move_iterator(outside.end()));
+        outside.erase(end, outside.end());
         std::vector<Bounds> boxes;
-        boxes.reserve(few.size());
-        for (const Shape& shape : few) boxes.push_back(boundsOf(shape));
-        tree = Bvh(boxes, Leaves::size, threads);
-        planted = true;
+        boxes.reserve(outside.size());
+        for (const Shape& shape : outside) boxes.push_back(boundsOf(shape));
+        tree = Bvh(boxes, Leaves::leafSize, threads);
+        treeBuilt = true;
         boxes = {};
-        leaves.assign(std::exchange(few, std::move(rest)), tree.order(), leafSizes());
+        leaves.assign(std::exchange(outside, std::move(rest)), tree.order(), leafSizes());
     }
 
-    // In the order of their shapes.
+    // The sizes of the leaves, in the order of their shapes.
     std::vector<int> leafSizes() const {
         std::vector<int> startingAt(tree.order().size());  // 0: no leaf starts here
         tree.eachLeaf([&](std::uint32_t first, std::uint32_t count) {
@@ -74,18 +75,18 @@ private:
         return startingAt;
     }
 
-    void takeFromTree() {
+    void dissolveTree() {
         if (!hasTree()) return;
         tree.eachLeaf([&](std::uint32_t first, std::uint32_t count) {
             const int n = static_cast<int>(count);
-            for (int i = 0; i < n; ++i) few.push_back(leaves.shape(first, n, i));
+            for (int i = 0; i < n; ++i) outside.push_back(leaves.shape(first, n, i));
         });
         tree = Bvh();
         leaves = Leaves();
-        planted = false;
+        treeBuilt = false;
     }
 
-    // What the traversal does with a leaf.
+    // Tests the shapes of a leaf that the traversal has reached.
     struct LeafTest {
         const Leaves& leaves;
         Search& search;
@@ -117,11 +118,11 @@ private:
         return false;
     }
 
-    std::vector<Shape> few;  // not in the tree
-    std::vector<Block> blocks;
+    std::vector<Shape> outside;  // of the tree
+    std::vector<Packet> packets;
     Bvh tree;
     Leaves leaves;
-    bool planted = false;
+    bool treeBuilt = false;
 };
 
 }  // namespace sw

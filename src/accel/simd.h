@@ -1,7 +1,7 @@
 #pragma once
 
-// Eight floats at a time. GCC and clang turn the vector type into whatever the target has (AVX,
-// SSE, NEON); other compilers, and SW_SIMD_PORTABLE, get loops. Results are those of scalar floats.
+// Eight floats at a time. GCC and clang compile the vector type to what the target has (AVX, SSE,
+// NEON); other compilers, and SW_SIMD_PORTABLE, get loops. Results are those of scalar floats.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #endif
 
 #if defined(__GNUC__) && defined(__AVX2__) && !defined(SW_SIMD_PORTABLE)
-#define SW_SIMD_PERMUTE  // lanes can be rearranged by numbers that are known only at run time
+#define SW_SIMD_PERMUTE  // lanes can be permuted by numbers known only at run time
 #endif
 
 namespace sw::simd {
@@ -135,7 +135,7 @@ inline unsigned bits(const Mask& m) {
 
 #endif
 
-/// Asks for memory that will be read soon.
+/// Fetches memory that will be read soon.
 inline void prefetch([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef __GNUC__
     const char* line = static_cast<const char*>(memory);

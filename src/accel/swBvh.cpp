@@ -11,7 +11,6 @@
 
 #include "accel/bvhBuild.h"
 #include "accel/bvhOrder.h"
-#include "accel/largePages.h"
 
 namespace sw {
 namespace {
@@ -19,17 +18,17 @@ namespace {
 using namespace bvh;
 using Node = Bvh::Node;
 
-// From here on ranges are halved by number, which takes at most 10 levels: 8^10 > 2^28.
+// From this depth on ranges are halved by number, which takes at most 10 levels: 8^10 > 2^28.
 constexpr int depthOfHalving = Bvh::maxDepth - 10;
 
-// The cost of entering a leaf, in units of testing its primitives all at once.
+// The cost of entering a leaf; 1 is the cost of testing all its primitives at once.
 constexpr float leafVisit = 0.25f;
 
-// Subtrees that may be built in threads hold at most this part of all primitives, and all trees of
-// fewer primitives than minParallel are built at once.
+// Subtrees of at most 1 / jobsPerTree of all primitives are built in parallel. Trees of fewer
+// primitives than minParallel are built by one thread.
 constexpr std::uint32_t jobsPerTree = 4, minParallel = 1u << 14;
 
-// A subtree for another thread, and where its root has to be entered.
+// A subtree for another thread, and the parent's slot that its root goes into.
 struct Job {
     Range range;
     int depth;
@@ -38,8 +37,8 @@ struct Job {
 };
 
 void setBox(Node& node, int slot, const Float& box) {
-    // Beyond 2^126 the difference to a ray's origin could overflow: such planes move outwards to
-    // infinity, or inwards to 2^126 where that makes the box larger.
+    // Beyond 2^126 a plane's distance to a ray's origin could overflow. Such planes move where the
+    // box grows: outwards to infinity, or inwards to 2^126.
     constexpr float limit = 0x1p126f;
     float b[simd::lanes];
     std::memcpy(b, &box, sizeof b);
@@ -50,21 +49,21 @@ void setBox(Node& node, int slot, const Float& box) {
     }
 }
 
-// Boxes that no ray meets. Their children are a leaf nevertheless, with a primitive that exists.
+// No ray meets these boxes. All the same, the children are leaves with a primitive that exists.
 Node emptyNode() {
     Node node{};
     for (int i = 0; i < 6; ++i)
         std::fill_n(node.planes[i], Bvh::width, i < 3 ? Bounds::infinity : -Bounds::infinity);
-    std::fill_n(node.child, Bvh::width, Bvh::leafBit);
+    std::fill_n(node.child, Bvh::width, BvhNode::leafBit);
     return node;
 }
 
 class Builder {
 public:
-    // Ranges of at most jobSize items become jobs where there is a list for them.
-    Builder(const Splitter& s, std::uint32_t largestLeaf, std::uint32_t jobSize,
-            std::vector<Job>* jobList)
-        : splitter(s), leafSize(largestLeaf), jobLimit(jobSize), jobs(jobList) {}
+    // Where jobs is not null, ranges of at most jobLimit items become jobs.
+    Builder(const SahSplitter& splitter, std::uint32_t leafSize, std::uint32_t jobLimit,
+            std::vector<Job>* jobs)
+        : splitter(splitter), leafSize(leafSize), jobLimit(jobLimit), jobs(jobs) {}
 
     std::vector<Node> nodes;
 
@@ -76,15 +75,15 @@ public:
 private:
     struct Child {
         Range range;
-        Splitter::Cut cut;
-        float priority;  // of being cut; negative: never
+        SahSplitter::Split split;
+        float priority;  // the child with the highest is split next; negative: never
     };
 
     Child makeChild(const Range& range, int depth) const;
-    int cutIntoChildren(const Range& range, int depth, std::array<Child, Bvh::width>& children);
+    int splitIntoChildren(const Range& range, int depth, std::array<Child, Bvh::width>& children);
     void fillNode(std::uint32_t index, const Range& range, int depth);
 
-    const Splitter& splitter;
+    const SahSplitter& splitter;
     std::uint32_t leafSize, jobLimit;
     std::vector<Job>* jobs;
 };
@@ -97,15 +96,15 @@ Builder::Child Builder::makeChild(const Range& range, int depth) const {
         return child;
     }
     const float area = splitter.area(range);
-    child.cut = splitter.findCut(range);
+    child.split = splitter.findSplit(range);
     if (range.count > leafSize ||
-        child.cut.cost + leafVisit * area < area * splitter.cost(range.count))
+        child.split.cost + leafVisit * area < area * splitter.cost(range.count))
         child.priority = area;
     return child;
 }
 
-int Builder::cutIntoChildren(const Range& range, int depth,
-                             std::array<Child, Bvh::width>& children) {
+int Builder::splitIntoChildren(const Range& range, int depth,
+                               std::array<Child, Bvh::width>& children) {
     int n = 1;
     children[0] = makeChild(range, depth);
     const auto before = [](const Child& a, const Child& b) {
@@ -115,7 +114,7 @@ int Builder::cutIntoChildren(const Range& range, int depth,
         Child& widest = *std::max_element(children.begin(), children.begin() + n, before);
         if (widest.priority < 0) break;
         Range left, right;
-        splitter.apply(widest.cut, widest.range, left, right);
+        splitter.partition(widest.split, widest.range, left, right);
         widest = makeChild(left, depth);
         children[static_cast<std::size_t>(n++)] = makeChild(right, depth);
     }
@@ -124,14 +123,14 @@ int Builder::cutIntoChildren(const Range& range, int depth,
 
 void Builder::fillNode(std::uint32_t index, const Range& range, int depth) {
     std::array<Child, Bvh::width> children;
-    const int n = cutIntoChildren(range, depth, children);
+    const int n = splitIntoChildren(range, depth, children);
     Node node = emptyNode();
     auto next = static_cast<std::uint32_t>(nodes.size());
     for (int i = 0; i < n; ++i) {
         const Range& r = children[static_cast<std::size_t>(i)].range;
         setBox(node, i, r.box);
         if (r.count <= leafSize)
-            node.child[i] = Bvh::leafBit | (r.count - 1) << Bvh::sizeShift | r.first;
+            node.child[i] = BvhNode::leafBit | (r.count - 1) << BvhNode::sizeShift | r.first;
         else if (jobs && r.count <= jobLimit)
             jobs->push_back({r, depth + 1, index, i});
         else
@@ -141,7 +140,7 @@ void Builder::fillNode(std::uint32_t index, const Range& range, int depth) {
     nodes[index] = node;
     nodes.resize(next);
     for (int i = 0; i < n; ++i)
-        if (!Bvh::isLeaf(node.child[i]))
+        if (!BvhNode::isLeaf(node.child[i]))
             fillNode(node.child[i], children[static_cast<std::size_t>(i)].range, depth + 1);
 }
 
@@ -156,12 +155,12 @@ std::vector<Item> makeItems(std::span<const Bounds> boxes) {
     return items;
 }
 
-// Appends a subtree and enters its root into its parent.
+// Appends a subtree and links its root to its parent.
 void append(std::vector<Node>& nodes, std::vector<Node>& subtree, const Job& job) {
     const auto offset = static_cast<std::uint32_t>(nodes.size());
     for (Node& node : subtree)
         for (std::uint32_t& child : node.child)
-            if (!Bvh::isLeaf(child)) child += offset;
+            if (!BvhNode::isLeaf(child)) child += offset;
     nodes[job.parent].child[job.slot] = offset;
     nodes.insert(nodes.end(), subtree.begin(), subtree.end());
     std::vector<Node>().swap(subtree);
@@ -180,8 +179,8 @@ void inParallel(std::size_t n, int threads, const Work& work) {
     for (std::thread& helper : helpers) helper.join();
 }
 
-// The jobs depend on the primitives alone, and so does the tree.
-std::vector<Node> buildTree(Splitter& splitter, std::uint32_t leafSize, int threads) {
+// The jobs depend on the primitives alone, so the tree is the same for any number of threads.
+std::vector<Node> buildTree(SahSplitter& splitter, std::uint32_t leafSize, int threads) {
     const Range all = splitter.whole();
     std::vector<Job> jobs;
     Builder top(splitter, leafSize, all.count / jobsPerTree,
@@ -196,7 +195,7 @@ std::vector<Node> buildTree(Splitter& splitter, std::uint32_t leafSize, int thre
     std::size_t count = top.nodes.size();
     for (const auto& subtree : subtrees) count += subtree.size();
     std::vector<Node> nodes;
-    reserveInLargePages(nodes, count);
+    nodes.reserve(count);
     nodes.insert(nodes.end(), top.nodes.begin(), top.nodes.end());
     for (std::size_t i = 0; i < jobs.size(); ++i) append(nodes, subtrees[i], jobs[i]);
     return nodes;
@@ -206,30 +205,15 @@ std::vector<Node> buildTree(Splitter& splitter, std::uint32_t leafSize, int thre
 
 Bvh::Bvh(std::span<const Bounds> boxes, int leafSize, int threads) {
     if (leafSize < 1 || leafSize > 8) throw std::invalid_argument("Bvh: leaf size not in 1..8");
-    if (boxes.size() > 1u << sizeShift) throw std::length_error("Bvh: more than 2^28 boxes");
+    if (boxes.size() > 1u << BvhNode::sizeShift) throw std::length_error("Bvh: more than 2^28 boxes");
     if (boxes.empty()) return;
     std::vector<Item> items = makeItems(boxes);
-    Splitter splitter(items, static_cast<std::uint32_t>(leafSize));
+    SahSplitter splitter(items, static_cast<std::uint32_t>(leafSize));
     nodes = buildTree(splitter, static_cast<std::uint32_t>(leafSize), threads);
     nodes.shrink_to_fit();
     primitives.resize(items.size());
     for (std::size_t i = 0; i < items.size(); ++i)
         primitives[i] = std::bit_cast<std::uint32_t>(items[i].lane[3]) & ~numberBit;
-}
-
-std::size_t Bvh::bytes() const {
-    return nodes.size() * sizeof(Node) + primitives.size() * sizeof(std::uint32_t);
-}
-
-Bounds Bvh::bounds() const {
-    Bounds box;
-    if (nodes.empty()) return box;
-    for (int i = 0; i < width; ++i) {
-        const auto& p = nodes[0].planes;
-        if (p[0][i] <= p[3][i])
-            box.add(Bounds{{p[0][i], p[1][i], p[2][i]}, {p[3][i], p[4][i], p[5][i]}});
-    }
-    return box;
 }
 
 }  // namespace sw

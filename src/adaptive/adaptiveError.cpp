@@ -6,10 +6,10 @@
 namespace sw {
 namespace {
 
-/// What the four nearest neighbours let expect of a pixel.
+/// The plane through a pixel's four nearest neighbours.
 struct Plane {
     Color dx, dy;    ///< slope, per pixel
-    Color residual;  ///< by how much the pixel differs from the plane
+    Color residual;  ///< how far the pixel is off the plane
 };
 
 Plane planeThrough(const Neighbourhood& around) {
@@ -35,70 +35,72 @@ Plane planeThrough(const Neighbourhood& around) {
     return plane;
 }
 
-// How far all channels of a colour lie outside of what a picture can show.
+// How far all channels of a colour lie outside of 0..1.
 float clippedBy(const Color& color) {
     float least = HUGE_VALF;
     for (const float c : color.m) least = std::min(least, std::max(c - 1, -c));
     return std::max(least, 0.f);
 }
 
-// A smooth slope s (per pixel) is no contrast, but it might hide one, the more so the steeper.
-float suspectedContrast(const Neighbourhood& around) {
+// The squared contrast that a pixel's samples may have missed. A smooth slope (per pixel) is no
+// contrast, but it may hide one: the steeper, the more likely.
+float unseenContrast(const Neighbourhood& around) {
     float contrast = 0;
     for (const AdaptivePixel* pixel : around) contrast = std::max(contrast, pixel->contrast);
     const Plane plane = planeThrough(around);
     const float slope = square(plane.dx) + square(plane.dy);
-    const float doubted = 2 * square(plane.residual) + 4 * slope * slope;
-    const float sum = (around[4]->samples == 1 ? 0.2f : 1.f) * contrast + doubted;
-    return sum < 100 ? sum : 100;  // NaN, too
+    const float unexplained = 2 * square(plane.residual) + 4 * slope * slope;
+    const float sum = (around[4]->samples == 1 ? 0.2f : 1.f) * contrast + unexplained;
+    return sum < 100 ? sum : 100;  // 100 for NaN, too
 }
 
-// A neighbour differs from the pixels on both sides of the way to it, which agree: the line that it
-// seems to hold may go on into the middle pixel.
-Hair suspectedHair(const Neighbourhood& around) {
-    // All neighbours, clockwise: the sides of one are those before and after it.
+// If a neighbour differs from the two pixels beside it, and these agree, it seems to hold a thin
+// line, which may go on into the middle pixel.
+ThinFeature thinFeature(const Neighbourhood& around) {
+    // All neighbours, clockwise: the pixels beside one are those before and after it.
     static constexpr std::size_t circle[] = {0, 1, 2, 5, 8, 7, 6, 3};
-    Hair hair;
+    ThinFeature feature;
     for (std::size_t i = 0; i < 8; ++i) {
         const AdaptivePixel& next = *around[circle[i]];
-        if (!(next.contrast > hair.squaredError)) continue;  // the excess would be less
+        if (!(next.contrast > feature.squaredError)) continue;  // the excess would be less
         const Color& a = around[circle[(i + 1) % 8]]->mean;
         const Color& b = around[circle[(i + 7) % 8]]->mean;
         if (square(a - b) > 0.05f * next.contrast) continue;
         const float excess = square(next.mean - 0.5f * (a + b));
-        if (excess > hair.squaredError) hair = {excess, excess / next.contrast};
+        if (excess > feature.squaredError) feature = {excess, excess / next.contrast};
     }
-    return hair;
+    return feature;
 }
 
 }  // namespace
 
 void lookAround(AdaptivePixel& pixel, const Neighbourhood& around) {
-    pixel.suspected = suspectedContrast(around);
-    pixel.hair = suspectedHair(around);
+    pixel.unseenContrast = unseenContrast(around);
+    pixel.thinFeature = thinFeature(around);
 }
 
-// Besides what a pixel's own samples show there is what they may have missed: part of an edge that
-// neighbours have seen or let suspect. Say it cuts off a share a of the pixel, uniform in 0..1; n
-// stratified samples miss it with a chance of 1 - n a, and then the error a has a mean square of 1
-// / (6 n^2). They do so in one case of 2n: 1 / (12 n^3), times the squared contrast. Measured, next
-// to pixels with a contrast: 1 / (10 n^3) for n = 4 and 8, a fifth for n = 1; after a contrast
-// between pixels, 1 / (5 n^3).
+// A pixel's error has two parts: what its samples show, and what they may have missed of an edge
+// that its neighbours have seen or suggest. Suppose that the edge cuts off a share a of the pixel,
+// uniform in 0..1. Then n stratified samples miss it with a probability of 1 - n a, in one case of
+// 2n, and the error a then has a mean square of 1 / (6 n^2). Together: 1 / (12 n^3), times the
+// squared contrast. Measured next to pixels with a contrast: 1 / (10 n^3) for n = 4 and 8, a fifth
+// of that for n = 1; after a contrast between pixels, 1 / (5 n^3).
 float squaredError(const AdaptivePixel& pixel) {
     const float n = static_cast<float>(pixel.samples);
-    float sum = pixel.variance + pixel.suspected / (10 * n * n * n);
-    if (pixel.hair.squaredError > 0)
-        sum += 0.5f * pixel.hair.squaredError * std::exp(-n * std::sqrt(pixel.hair.squaredShare));
-    const float shown = std::sqrt(sum) - clippedBy(pixel.mean);
-    if (shown <= 0) return 0;
-    return shown < 1 ? shown * shown : 1;
+    float sum = pixel.variance + pixel.unseenContrast / (10 * n * n * n);
+    const ThinFeature& thin = pixel.thinFeature;
+    if (thin.squaredError > 0)
+        sum += 0.5f * thin.squaredError * std::exp(-n * std::sqrt(thin.squaredShare));
+    const float displayed = std::sqrt(sum) - clippedBy(pixel.mean);
+    if (displayed <= 0) return 0;
+    return displayed < 1 ? displayed * displayed : 1;
 }
 
 Color resolve(const Neighbourhood& around) {
     const AdaptivePixel& own = *around[4];
     if (own.samples > 1) return own.mean;
-    // A single sample stands for the pixel's centre, moved there along the neighbours' slope, as
-    // far as no neighbour is passed.
+    // A single sample is moved to the pixel's centre along the neighbours' slope, within the range
+    // of the neighbours' colours.
     const Plane plane = planeThrough(around);
     Color color = own.mean + (0.5f - own.x) * plane.dx + (0.5f - own.y) * plane.dy;
     for (int i = 0; i < 3; ++i) {

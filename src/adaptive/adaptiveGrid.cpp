@@ -19,12 +19,12 @@ void forEachPixel(const Window& window, const Function& function) {
 
 }  // namespace
 
-AdaptiveGrid::AdaptiveGrid(const Window& region, const RadianceAt& radianceAt,
-                           const RenderOptions& how)
-    : all(region),
-      radiance(radianceAt),
-      options(how),
-      pixels(static_cast<std::size_t>(all.width()) * static_cast<std::size_t>(all.height())),
+AdaptiveGrid::AdaptiveGrid(const Window& region, const RadianceAt& radiance,
+                           const RenderOptions& options)
+    : region(region),
+      radiance(radiance),
+      options(options),
+      pixels(static_cast<std::size_t>(region.width()) * static_cast<std::size_t>(region.height())),
       errors(pixels.size()),
       stale(new std::atomic<bool>[pixels.size()]) {
     for (std::size_t i = 0; i < pixels.size(); ++i) stale[i].store(true, relaxed);
@@ -55,13 +55,13 @@ void AdaptiveGrid::refineWhere(const Window& window, const Need& needed,
     if (taken != before) estimateErrors();
 }
 
-// Until it needs no more, as far as that can be told before the neighbours are looked at again.
+// Refines a pixel until it needs no more, as judged by what is known of its neighbours now.
 void AdaptiveGrid::refinePixel(int x, int y, const Need& needed) {
     AdaptivePixel& pixel = pixels[index(x, y)];
     const int before = pixel.samples;
     while (needed(squaredError(pixel), pixel.samples)) refine(pixel, x, y, radiance, options.seed);
     taken.fetch_add(static_cast<std::uint64_t>(pixel.samples - before), relaxed);
-    forEachPixel(common({x - 1, y - 1, x + 2, y + 2}, all),
+    forEachPixel(common({x - 1, y - 1, x + 2, y + 2}, region),
                  [this](int i, int j) { stale[index(i, j)].store(true, relaxed); });
 }
 
@@ -80,7 +80,7 @@ void AdaptiveGrid::estimateErrors() {
 Neighbourhood AdaptiveGrid::around(int x, int y) const {
     const AdaptivePixel* own = &pixels[index(x, y)];
     const auto pixelAt = [&](int i, int j) {
-        const bool inside = i >= all.x0 && i < all.x1 && j >= all.y0 && j < all.y1;
+        const bool inside = i >= region.x0 && i < region.x1 && j >= region.y0 && j < region.y1;
         return inside ? &pixels[index(i, j)] : own;
     };
     return {pixelAt(x - 1, y - 1),
@@ -94,19 +94,21 @@ Neighbourhood AdaptiveGrid::around(int x, int y) const {
             pixelAt(x + 1, y + 1)};
 }
 
-// Lends itself the renderer's threads: each tile is a pixel of a picture that nobody looks at.
+// Uses the renderer's threads: each tile is a pixel of a picture that is thrown away.
 template <typename TileFunction>
 void AdaptiveGrid::forEachTile(const TileFunction& function,
                                const std::function<void(int, int)>& progress) {
     const int side = std::max(1, options.tileSize);
-    const Window tiles{0, 0, (all.width() + side - 1) / side, (all.height() + side - 1) / side};
+    const Window tiles{0, 0, (region.width() + side - 1) / side,
+                       (region.height() + side - 1) / side};
     const auto tile = [&](int column, int row) {
-        const int x = all.x0 + column * side, y = all.y0 + row * side;
-        function(common({x, y, x + side, y + side}, all));
+        const int x = region.x0 + column * side, y = region.y0 + row * side;
+        function(common({x, y, x + side, y + side}, region));
         return Color();
     };
-    const RenderOptions how{.tileSize = 1, .threads = options.threads, .progress = progress};
-    const RenderResult sweep = render(tiles, tile, how);
+    const RenderOptions tileOptions{
+        .tileSize = 1, .threads = options.threads, .progress = progress};
+    const RenderResult sweep = render(tiles, tile, tileOptions);
     traced += sweep.rays;
     mostThreads = std::max(mostThreads, sweep.threads);
 }

@@ -10,13 +10,13 @@
 
 namespace sw {
 
-/// The pixels of a region with their samples and errors; all work is spread over tiles and threads.
-/// Samples depend on errors and errors on samples, but never in the same sweep, so that the order
-/// in which pixels are visited does not matter.
+/// The pixels of a region with their samples and errors. All work is spread over tiles and threads.
+/// Samples depend on errors and errors on samples, but never in the same sweep: the order in which
+/// pixels are visited does not matter.
 class AdaptiveGrid {
 public:
-    /// Which pixels to refine: those whose squared error is above both limits, as long as they have
-    /// not too many samples.
+    /// Which pixels to refine: those whose squared error is above both limits, unless they have too
+    /// many samples.
     struct Need {
         float squaredError = 0;
         float squaredErrorPerSample = 0;
@@ -34,13 +34,13 @@ public:
     /// Takes one sample in every pixel and estimates the errors.
     void start();
 
-    /// Refines the pixels of a window that need it, and estimates the errors anew. Tiles that are
-    /// begun after `late` has become true are left as they are.
+    /// Refines the pixels of a window that need it, and updates the errors. Once `late` returns
+    /// true, no more tiles are refined.
     void refineWhere(const Window& window, const Need& needed, const std::function<bool()>& late);
 
     const AdaptivePixel& pixel(int x, int y) const { return pixels[index(x, y)]; }
     float squaredErrorOf(int x, int y) const { return errors[index(x, y)]; }
-    Color colour(int x, int y) const { return resolve(around(x, y)); }
+    Color color(int x, int y) const { return resolve(around(x, y)); }
 
     std::uint64_t samples() const { return taken; }
     const RayCount& rays() const { return traced; }
@@ -54,11 +54,11 @@ private:
     void estimateErrors();
     Neighbourhood around(int x, int y) const;
     std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y - all.y0) * static_cast<std::size_t>(all.width()) +
-               static_cast<std::size_t>(x - all.x0);
+        return static_cast<std::size_t>(y - region.y0) * static_cast<std::size_t>(region.width()) +
+               static_cast<std::size_t>(x - region.x0);
     }
 
-    const Window all;
+    const Window region;
     const RadianceAt& radiance;
     const RenderOptions& options;
     std::vector<AdaptivePixel> pixels;

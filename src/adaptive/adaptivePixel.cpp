@@ -23,7 +23,7 @@ public:
         cells[static_cast<std::size_t>(column * rows + row)] = color;
     }
 
-    /// What pairs of neighbouring cells tell.
+    /// The differences of pairs of neighbouring cells.
     struct Differences {
         float meanSquare = 0;
         float largestSquare = 0;
@@ -38,17 +38,17 @@ private:
             for (std::size_t k = i; k < i + step; ++k) function(cells[k + step] - cells[k]);
     }
 
-    // A slope makes every pair differ by the same, but strata integrate it almost exactly: it must
-    // not count. Edges can look like a slope, though, the more so the steeper. So of a slope s (per
-    // pixel), 1 / (1 + (s / 0.1)^2) is believed.
+    // A smooth slope makes all pairs differ by the same amount, but strata integrate it almost
+    // exactly: it must not count as error. Yet edges can look like slopes, steep ones above all. So
+    // of a slope s (per pixel) only the share 1 / (1 + (s / 0.1)^2) is taken as smooth.
     Differences compare(std::size_t step, int cellsPerSide) const {
         const float pairs = static_cast<float>(cells.size() / 2);
         Color slope;
         forEachPair(step, [&](const Color& difference) { slope += difference; });
         slope *= 1 / pairs;
         const float perPixel = static_cast<float>(cellsPerSide) / 0.1f;
-        const float belief = 1 / (1 + square(slope) * perPixel * perPixel);
-        slope *= belief;
+        const float smooth = 1 / (1 + square(slope) * perPixel * perPixel);
+        slope *= smooth;
 
         Differences result;
         forEachPair(step, [&](const Color& difference) {
@@ -56,7 +56,7 @@ private:
             result.meanSquare += d;
             if (d > result.largestSquare) result.largestSquare = d;
         });
-        result.meanSquare /= pairs - belief;  // what was fitted counts as that many pairs less
+        result.meanSquare /= pairs - smooth;  // the fitted slope costs that many degrees of freedom
         return result;
     }
 
@@ -67,8 +67,8 @@ private:
 // The variance of a mean of n stratified samples, from differences of neighbouring cells. Half the
 // mean square of two samples' difference is the variance v in a stratum of two cells. An edge
 // crosses a share of the strata that falls like n^-1/2, so the mean of n has c v (k/n)^1/2 / n for
-// k strata of two cells. The points of a (0, 2)-sequence do better than independent ones in each
-// stratum: measured over the lab scene, c = 0.54, from n = 4 to n = 256.
+// k strata of two cells. A (0, 2)-sequence does better than independent points in each stratum:
+// measured over the lab scene, c = 0.54, from n = 4 to n = 256.
 float varianceOfMean(const Batch::Differences& x, const Batch::Differences& y, int cells, int n) {
     const float v = 0.25f * (x.meanSquare + y.meanSquare);
     const float samples = static_cast<float>(n);
@@ -79,7 +79,7 @@ Color colorAt(const SamplePoint& p, int x, int y, const RadianceAt& radiance) {
     return radiance(static_cast<float>(x) + p.x, static_cast<float>(y) + p.y);
 }
 
-// Takes samples until there are `after`, all but the first. Returns those of the last batch.
+// Takes samples, all but the first, until there are `after`. Returns those of the last batch.
 Batch takeSamples(AdaptivePixel& pixel, int x, int y, const RadianceAt& radiance,
                   const PixelSequence& sequence, int after) {
     const int before = pixel.samples;
@@ -116,7 +116,7 @@ void refine(AdaptivePixel& pixel, int x, int y, const RadianceAt& radiance, std:
     const auto across = batch.acrossColumns(), down = batch.acrossRows();
     pixel.contrast = std::max({pixel.contrast, across.largestSquare, down.largestSquare});
     const float fresh = varianceOfMean(across, down, batch.count(), after);
-    // The last estimate, scaled by 2^-3/2 for twice the samples, was made of half as many pairs.
+    // The last estimate, scaled by 2^-3/2 for twice the samples, comes from half as many pairs.
     pixel.variance = before == 1 ? fresh : (2 * fresh + 0.354f * pixel.variance) / 3;
 }
 

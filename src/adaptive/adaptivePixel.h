@@ -15,24 +15,25 @@ inline float square(const Color& color) {
     return color * color * (1.f / 3);
 }
 
-/// A line, thinner than a pixel, that may cross one.
-struct Hair {
-    float squaredError = 0;  ///< if it does, unseen
-    float squaredShare = 0;  ///< of the pixel that it covers
+/// A line, thinner than a pixel, that may cross one unseen.
+struct ThinFeature {
+    float squaredError = 0;  ///< the error that it would cause
+    float squaredShare = 0;  ///< of the pixel's area that it would cover
 };
 
 /// What adaptive sampling knows of one pixel.
 struct AdaptivePixel {
     Color mean;          ///< of the samples
-    float x = 0, y = 0;  ///< where they lie on average, from the pixel's top left corner
+    float x = 0, y = 0;  ///< their mean position, from the pixel's top left corner
     int samples = 0;
-    float variance = 0;   ///< of the mean, as far as these samples show it
-    float suspected = 0;  ///< squared contrast that may have been missed; see lookAround()
-    Hair hair;            ///< that may have been missed
-    float contrast = 0;   ///< squared: the largest between places side by side in the pixel
+    float variance = 0;        ///< of the mean, as far as these samples show it
+    float contrast = 0;        ///< squared: the largest between places side by side in the pixel
+    float unseenContrast = 0;  ///< squared: what the samples may have missed; see lookAround()
+    ThinFeature thinFeature;   ///< what the samples may have missed as well
 };
 
-/// A pixel and the eight around it, row by row. Where the picture ends, the pixel itself stands in.
+/// A pixel and the eight around it, row by row. Outside the picture, the pixel itself takes their
+/// place.
 using Neighbourhood = std::array<const AdaptivePixel*, 9>;
 
 /// How many samples a pixel has after its next refinement: 1, 4, 8, 16, ...
@@ -43,10 +44,10 @@ constexpr int refinedSamples(int samples) {
 /// Takes the next samples of pixel (x, y).
 void refine(AdaptivePixel& pixel, int x, int y, const RadianceAt& radiance, std::uint64_t seed);
 
-/// Notes what the neighbours of the middle pixel let suspect in it.
+/// Sets what the middle pixel may have missed, judging by its neighbours.
 void lookAround(AdaptivePixel& pixel, const Neighbourhood& around);
 
-/// Expected square of the error that a pixel shows, in 0..1. 1 where a sample was not a number.
+/// Expected square of a pixel's error as displayed, in 0..1. It is 1 if a sample was NaN.
 float squaredError(const AdaptivePixel& pixel);
 
 /// The colour of the middle pixel.

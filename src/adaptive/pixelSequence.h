@@ -9,7 +9,7 @@ namespace sw {
 
 /// The scrambled (0, 2)-sequence of a pixel. Its first 2^m points, and every later block of 2^m
 /// that starts at a multiple of 2^m, have one point in each cell of any grid of 2^m cells in the
-/// pixel: the more samples, the finer the strata, and none is ever taken in vain.
+/// pixel: the more samples, the finer the strata, and no sample is wasted.
 /// Sobol', On the Distribution of Points in a Cube (1967), dimensions 1 and 2; scrambled after
 /// Owen, Randomly Permuted (t, m, s)-Nets (1995), with a hash: Laine and Karras, Stratified
 /// Sampling for Stochastic Transparency (2011), section 3; Burley, Practical Hash-Based Owen
@@ -38,8 +38,8 @@ private:
         return z ^ (z >> 31);
     }
 
-    // Flips each bit depending on the lower ones: of a number whose lowest bit is the first binary
-    // digit of a coordinate, that permutes the halves of every dyadic interval.
+    // Flips each bit depending on the lower ones. The lowest bit is the first binary digit of a
+    // coordinate, so this permutes the halves of every dyadic interval.
     static constexpr std::uint32_t scramble(std::uint32_t digits, std::uint32_t seed) {
         digits += seed;
         digits ^= digits * 0x6c50b47cu;

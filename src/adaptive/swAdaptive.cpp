@@ -12,10 +12,10 @@ namespace {
 
 // The thresholds of all passes but the first. A pixel with n samples is refined while its error is
 // above both the tolerance and threshold * sqrt(n): errors e fall like n^-3/4, so one more sample
-// lowers the sum of e^2 by about 1.5 e^2 / n. Where that is largest, samples are spent best.
+// lowers the sum of e^2 by about 1.5 e^2 / n. Samples are best spent where that is largest.
 // Thresholds fall by a constant factor. With a tolerance, the list ends where thresholds are too
-// small to matter, and passes follow that leave no error above the tolerance. That the list depends
-// on the tolerance alone is what makes the picture independent of the window.
+// small to matter, and then come passes that leave no error above the tolerance. The list depends
+// on the tolerance alone: so the picture is independent of the window.
 std::vector<float> thresholds(float tolerance) {
     constexpr float first = 0.05f, smallest = 1e-8f;
     const float ratio = tolerance > 0 ? 0.4f : 0.8f;
@@ -38,10 +38,10 @@ Window within(const Window& window, int width, int height) {
 
 class AdaptiveRenderer {
 public:
-    AdaptiveRenderer(const Window& part, int width, int height, const RadianceAt& radiance,
-                     const AdaptiveOptions& wanted)
-        : window(part),
-          options(wanted),
+    AdaptiveRenderer(const Window& window, int width, int height, const RadianceAt& radiance,
+                     const AdaptiveOptions& options)
+        : window(window),
+          options(options),
           passThresholds(thresholds(options.tolerance)),
           margin(options.tolerance > 0 ? static_cast<int>(passThresholds.size()) + 1 : 1),
           grid(within(grown(window, margin), width, height), radiance, options.render) {}
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    // A pixel in the margin can reach the window only one pixel further in each pass to come.
+    // The influence of a pixel in the margin moves only one pixel further with each pass to come.
     void pass(float threshold) {
         const float tolerance = std::max(0.f, options.tolerance);
         const int most = std::min(options.maxSamples, PixelSequence::length);
@@ -91,7 +91,7 @@ private:
             passes};
         for (int y = window.y0; y < window.y1; ++y) {
             for (int x = window.x0; x < window.x1; ++x) {
-                result.image.at(x - window.x0, y - window.y0) = grid.colour(x, y);
+                result.image.at(x - window.x0, y - window.y0) = grid.color(x, y);
                 const float error = std::sqrt(grid.squaredErrorOf(x, y));
                 result.errors.at(x - window.x0, y - window.y0) = Color(error, error, error);
                 result.sampleCounts.push_back(grid.pixel(x, y).samples);

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "swMetrics.h"
-
 namespace sw {
 namespace {
 
@@ -24,7 +22,7 @@ NotedSample squaredDeviations(const NotedSample* samples, std::size_t count) {
     return squares;
 }
 
-// Sum over all 2 x 2 neighbouring cells of their squared contrast.
+// Sum of the squared contrasts of all 2 x 2 neighbouring cells.
 NotedSample squaredContrasts(const NotedSample* cells, std::size_t n) {
     NotedSample squares{};
     for (std::size_t row = 0; row + 1 < n; ++row) {
@@ -39,7 +37,7 @@ NotedSample squaredContrasts(const NotedSample* cells, std::size_t n) {
     return squares;
 }
 
-// What turns these sums into the variance of the mean of n x n samples.
+// The factor that turns these sums into the variance of the mean of n x n samples.
 float varianceFactor(SamplePattern pattern, int n) {
     const float samples = static_cast<float>(n * n), blocks = static_cast<float>((n - 1) * (n - 1));
     if (pattern == SamplePattern::random) return 1 / (samples - 1) / samples;
@@ -49,18 +47,19 @@ float varianceFactor(SamplePattern pattern, int n) {
 
 }  // namespace
 
-float shownError(float mean, float error) {
+float displayedError(float mean, float error) {
     const float least = mean - error, most = mean + error;
     if (least >= 0 && most <= 1) return error;
-    return ((most < 1 ? shown(most) : 1) - shown(least)) / 2;  // NaN is anything up to 1
+    const float upper = most < 1 ? clampToDisplay(most) : 1;  // 1 for NaN: it may be anything
+    return (upper - clampToDisplay(least)) / 2;
 }
 
-// There is room for one sample too many, so that this can be noticed.
-PixelSamples::PixelSamples(SamplePattern pattern, int side)
+// There is room for one sample too many, so that it is noticed.
+PixelSamples::PixelSamples(SamplePattern pattern, int n)
     : pattern(pattern),
-      n(side < 2 ? 0 : static_cast<std::size_t>(side)),
-      factor(varianceFactor(pattern, side)),
-      samples(n == 0 ? 0 : n * n + 1),
+      side(n < 2 ? 0 : static_cast<std::size_t>(n)),
+      factor(varianceFactor(pattern, n)),
+      samples(side == 0 ? 0 : side * side + 1),
       outer(sampleSpace) {
     sampleSpace = {samples.data(), samples.data() + samples.size()};
 }
@@ -71,27 +70,27 @@ PixelSamples::~PixelSamples() {
 
 Color PixelSamples::takeError(const Color& mean) {
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
-    const bool complete = n > 0 && sampleSpace.next == samples.data() + n * n;
+    const bool complete = side > 0 && sampleSpace.next == samples.data() + side * side;
     sampleSpace.next = samples.data();
     if (!complete) return {none, none, none};
 
     const NotedSample sum = pattern == SamplePattern::random
-                                ? squaredDeviations(samples.data(), n * n)
-                                : squaredContrasts(samples.data(), n);
+                                ? squaredDeviations(samples.data(), side * side)
+                                : squaredContrasts(samples.data(), side);
     Color error;
-    for (int i = 0; i < 3; ++i) error[i] = shownError(mean[i], std::sqrt(factor * sum.m[i]));
+    for (int i = 0; i < 3; ++i) error[i] = displayedError(mean[i], std::sqrt(factor * sum.m[i]));
     return error;
 }
 
-double estimatedSteps(const Image& image, const Image& errors, float gamma) {
+double estimatedRmse8bit(const Image& image, const Image& errors, float gamma) {
     double squares = 0;
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {
             for (int i = 0; i < 3; ++i) {
-                const float mean = shown(image.at(x, y)[i]), error = errors.at(x, y)[i];
+                const float mean = clampToDisplay(image.at(x, y)[i]), error = errors.at(x, y)[i];
                 if (std::isnan(error)) return error;
-                const double steps = encoded(mean, gamma) - encoded(mean - error, gamma);
-                squares += steps * steps;
+                const double difference = codeValue(mean, gamma) - codeValue(mean - error, gamma);
+                squares += difference * difference;
             }
         }
     }

@@ -30,22 +30,19 @@ void forEachPixel(const Image& image, const Action& action) {
 
 }  // namespace
 
-double encoded(float linear, float gamma) {
-    return 256 * static_cast<double>(std::pow(shown(linear), 1 / gamma));
-}
-
 Metrics compare(const Image& a, const Image& b, float gamma) {
     Metrics result;
-    double squares = 0, stepSquares = 0;
+    double squares = 0, codeSquares = 0;
     int visible = 0;
     forEachPixel(a, [&](int x, int y) {
         double most = 0;
         for (int i = 0; i < 3; ++i) {
             const float p = a.at(x, y)[i], q = b.at(x, y)[i];
-            const double difference = std::fabs(static_cast<double>(shown(p)) - shown(q));
-            const double steps = encoded(p, gamma) - encoded(q, gamma);
+            const double difference =
+                std::fabs(static_cast<double>(clampToDisplay(p)) - clampToDisplay(q));
+            const double codeDifference = codeValue(p, gamma) - codeValue(q, gamma);
             squares += difference * difference;
-            stepSquares += steps * steps;
+            codeSquares += codeDifference * codeDifference;
             most = std::max(most, difference);
         }
         if (most > 2.0 / 255) ++visible;
@@ -59,7 +56,7 @@ Metrics compare(const Image& a, const Image& b, float gamma) {
     result.rmse = std::sqrt(squares / (3 * pixels));
     result.psnr = -20 * std::log10(result.rmse);
     result.visible = visible / pixels;
-    result.rmseSteps = std::sqrt(stepSquares / (3 * pixels));
+    result.rmse8bit = std::sqrt(codeSquares / (3 * pixels));
     return result;
 }
 
@@ -74,7 +71,8 @@ Image absoluteDifference(const Image& a, const Image& b) {
     Image result(a.width(), a.height());
     forEachPixel(a, [&](int x, int y) {
         for (int i = 0; i < 3; ++i)
-            result.at(x, y)[i] = std::fabs(shown(a.at(x, y)[i]) - shown(b.at(x, y)[i]));
+            result.at(x, y)[i] =
+                std::fabs(clampToDisplay(a.at(x, y)[i]) - clampToDisplay(b.at(x, y)[i]));
     });
     return result;
 }

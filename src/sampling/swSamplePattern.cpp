@@ -6,7 +6,7 @@
 namespace sw {
 namespace {
 
-// The cell (i, j) of a grid of n x n, and a place in it.
+// The cell (i, j) of an n x n grid.
 struct Cell {
     int i, j, n;
     SamplePoint at(float x, float y) const {
@@ -40,8 +40,8 @@ std::vector<int> shuffled(int n) {
 }
 
 // Correlated multi-jittered sampling (Kensler, Correlated Multi-Jittered Sampling, Pixar Technical
-// Memo 13-01, 2013). A cell has n narrow columns and n narrow rows. All cells of a row use the
-// same narrow column, each row another, and the other way round.
+// Memo 13-01, 2013). Each cell is divided into n narrow columns and n narrow rows. All cells of a
+// row use the same narrow column, and each row another one; so do columns with narrow rows.
 std::vector<SamplePoint> multiJittered(int n) {
     const std::vector<int> column = shuffled(n), row = shuffled(n);
     return forEachCell(n, [&](const Cell& cell) {

@@ -79,7 +79,7 @@ TEST_CASE("the error of the lab scene is estimated within a factor of 1.5") {
     const Image reference = render(window, pixelOf(SamplePattern::jitter, 64), {.seed = 999}).image;
 
     const auto check = [&](SamplePattern pattern, int n) {
-        double logSteps = 0;
+        double logCodeValues = 0;
         for (std::uint64_t seed = 0; seed < 20; ++seed) {
             const RenderResult picture = render(window, pixelOf(pattern, n),
                                                 {.seed = seed, .pattern = pattern, .samples = n});
@@ -87,11 +87,12 @@ TEST_CASE("the error of the lab scene is estimated within a factor of 1.5") {
             const double ratio = picture.estimatedRmse / actual.rmse;
             CAPTURE(patternNames[static_cast<std::size_t>(pattern)], n, seed, ratio);
             CHECK((ratio > 1 / 1.5 && ratio < 1.5));
-            logSteps += std::log(estimatedSteps(picture.image, picture.errors) / actual.rmseSteps);
+            logCodeValues +=
+                std::log(estimatedRmse8bit(picture.image, picture.errors) / actual.rmse8bit);
         }
-        const double steps = std::exp(logSteps / 20);
-        CAPTURE(patternNames[static_cast<std::size_t>(pattern)], n, steps);
-        CHECK((steps > 1 / 1.5 && steps < 1.5));
+        const double codeValues = std::exp(logCodeValues / 20);
+        CAPTURE(patternNames[static_cast<std::size_t>(pattern)], n, codeValues);
+        CHECK((codeValues > 1 / 1.5 && codeValues < 1.5));
     };
     for (const int n : {2, 3, 4, 8}) {
         check(SamplePattern::jitter, n);

@@ -80,7 +80,7 @@ TEST_CASE("a linear change from cell to cell is no error") {
     CHECK(std::fabs(errorOf(samples, SamplePattern::jitter, n)[1] - expected) < 1e-6);
 }
 
-TEST_CASE("the error shown is what white and black leave of it") {
+TEST_CASE("the displayed error is what white and black leave of it") {
     const auto [mean, error, expected] =
         GENERATE(table<float, float, float>({{0.5f, 0.25f, 0.25f},
                                              {0.5f, 0, 0},
@@ -95,7 +95,7 @@ TEST_CASE("the error shown is what white and black leave of it") {
                                              {0.5f, NAN, 0.5f},
                                              {NAN, 0.25f, 0.5f}}));
     CAPTURE(mean, error);
-    CHECK(shownError(mean, error) == expected);
+    CHECK(displayedError(mean, error) == expected);
 }
 
 TEST_CASE("samples are noted for the innermost picture of their own thread") {
@@ -152,7 +152,7 @@ TEST_CASE("pictures have no estimate unless they note their samples, and four of
     const RenderResult picture = render({0, 0, 9, 9}, noisyPixels(noted), {.samples = told});
     CHECK(std::isnan(picture.estimatedRmse));
     CHECK(isNone(picture.errors.at(3, 3)));
-    CHECK(std::isnan(estimatedSteps(picture.image, picture.errors)));
+    CHECK(std::isnan(estimatedRmse8bit(picture.image, picture.errors)));
 }
 
 TEST_CASE("a picture made of corners has no estimate") {
@@ -162,13 +162,13 @@ TEST_CASE("a picture made of corners has no estimate") {
     CHECK((isNone(picture.errors.at(0, 0)) && isNone(picture.errors.at(8, 8))));
 }
 
-TEST_CASE("the error in steps is the way from the mean down by the error") {
+TEST_CASE("the error in code values is the way from the mean down by the error") {
     Image image(1, 1), errors(1, 1);
     image.at(0, 0) = Color(0.25f, 0.0625f, 9);
     errors.at(0, 0) = Color(0.125f, 0.125f, 0.25f);
-    const auto step = [](double v) { return 256 * std::pow(v, 1 / 1.8); };
-    const double red = step(0.25) - step(0.125), green = step(0.0625), blue = 256 - step(0.75);
-    CHECK(std::fabs(estimatedSteps(image, errors, 1.8f) -
+    const auto code = [](double v) { return 256 * std::pow(v, 1 / 1.8); };
+    const double red = code(0.25) - code(0.125), green = code(0.0625), blue = 256 - code(0.75);
+    CHECK(std::fabs(estimatedRmse8bit(image, errors, 1.8f) -
                     std::sqrt((red * red + green * green + blue * blue) / 3)) < 1e-3);
 }
 

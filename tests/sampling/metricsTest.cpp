@@ -36,7 +36,7 @@ TEST_CASE("equal pictures do not differ") {
     Random random(GENERATE(range(0u, 10u)));
     const Image image = randomImage(random);
     const Metrics m = compare(image, image);
-    CHECK((m.rmse == 0 && m.largest == 0 && m.visible == 0 && m.rmseSteps == 0));
+    CHECK((m.rmse == 0 && m.largest == 0 && m.visible == 0 && m.rmse8bit == 0));
     CHECK(m.psnr == std::numeric_limits<double>::infinity());
 }
 
@@ -55,8 +55,8 @@ TEST_CASE("a constant difference is the RMSE and the largest difference") {
     CHECK((m.x == 0 && m.y == 0));  // the first of all
     CHECK(std::fabs(m.psnr - 10 * std::log10(1 / (d * d))) <= 100 * u / d);
     CHECK(m.visible == (d > 2.0 / 255 ? 1 : 0));
-    const double steps = 256 * std::fabs(std::pow(a, 1 / 2.2) - std::pow(b, 1 / 2.2));
-    CHECK(std::fabs(m.rmseSteps - steps) <= 1e-4);
+    const double codeValues = 256 * std::fabs(std::pow(a, 1 / 2.2) - std::pow(b, 1 / 2.2));
+    CHECK(std::fabs(m.rmse8bit - codeValues) <= 1e-4);
 }
 
 TEST_CASE("one channel of one pixel counts once among all channels") {
@@ -85,10 +85,10 @@ TEST_CASE("what the picture cannot show is no difference") {
     const Image white = uniformImage(2, 2, Color(1, 1, 1)), black = uniformImage(2, 2, Color());
     CHECK(compare(white, uniformImage(2, 2, Color(1, 5, infinity))).rmse == 0);
     CHECK(compare(black, uniformImage(2, 2, Color(-infinity, -1, NAN))).rmse == 0);
-    CHECK(compare(white, uniformImage(2, 2, Color(1, 5, infinity))).rmseSteps == 0);
+    CHECK(compare(white, uniformImage(2, 2, Color(1, 5, infinity))).rmse8bit == 0);
     const Metrics most = compare(uniformImage(2, 2, Color(9, 9, 9)), black);
     CHECK((most.rmse == 1 && most.psnr == 0 && most.largest == 1 && most.visible == 1));
-    CHECK(most.rmseSteps == 256);
+    CHECK(most.rmse8bit == 256);
 }
 
 TEST_CASE("pictures are compared both ways alike") {
@@ -96,15 +96,15 @@ TEST_CASE("pictures are compared both ways alike") {
     const Image a = randomImage(random), b = randomImage(random);
     const Metrics ab = compare(a, b), ba = compare(b, a);
     CHECK((ab.rmse == ba.rmse && ab.largest == ba.largest && ab.visible == ba.visible));
-    CHECK((ab.x == ba.x && ab.y == ba.y && ab.rmseSteps == ba.rmseSteps));
+    CHECK((ab.x == ba.x && ab.y == ba.y && ab.rmse8bit == ba.rmse8bit));
     CHECK(ab.rmse <= ab.largest);
 }
 
-TEST_CASE("steps are those of the bytes in the picture, whatever the gamma") {
+TEST_CASE("code values are those of the bytes in the picture, whatever the gamma") {
     Random random(GENERATE(range(0u, 200u)));
     const float linear = random.real(-0.1, 1.1), gamma = random.real(0.5, 4);
     CAPTURE(linear, gamma);
-    CHECK(std::fabs(encoded(linear, gamma) - 0.5 - toByte(linear, gamma)) <= 0.5001);
+    CHECK(std::fabs(codeValue(linear, gamma) - 0.5 - toByte(linear, gamma)) <= 0.5001);
 }
 
 TEST_CASE("every power of ten has its colour in the heat map") {

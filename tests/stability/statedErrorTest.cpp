@@ -15,7 +15,7 @@ namespace {
 void record(const Ray& ray, float t, const Vec3& outward, const Material& material,
             Intersection& hit) {
     hit.hitT = t;
-    hit.position = ray.orig + t * ray.dir;
+    hit.position = ray.at(t);
     hit.frontFacing = outward * ray.dir < 0;
     hit.normal = hit.frontFacing ? outward : -outward;
     hit.normal.normalize();
@@ -28,8 +28,8 @@ struct SlideTriangle : Triangle {
     bool intersect(const Ray& ray, Intersection& hit) const override {
         const Vec3 e1 = vertices[1] - vertices[0], e2 = vertices[2] - vertices[0], n = e1 % e2;
         const float t = n * (vertices[0] - ray.orig) / (n * ray.dir);
-        if (!(ray.minT < t && t < ray.maxT)) return false;
-        const Vec3 p = ray.orig + t * ray.dir - vertices[0];
+        if (!ray.contains(t)) return false;
+        const Vec3 p = ray.at(t) - vertices[0];
         const float v = (p % e2) * n / (n * n), w = (e1 % p) * n / (n * n);
         if (!(v >= 0 && w >= 0 && v + w <= 1)) return false;
         record(ray, t, n, material, hit);
@@ -46,8 +46,8 @@ struct SlideSphere : Sphere {
         if (!(discriminant >= 0)) return false;
         for (const float sign : {-1.0f, 1.0f}) {
             const float t = (-b + sign * std::sqrt(discriminant)) / a;
-            if (!(ray.minT < t && t < ray.maxT)) continue;
-            record(ray, t, ray.orig + t * ray.dir - center, material, hit);
+            if (!ray.contains(t)) continue;
+            record(ray, t, ray.at(t) - center, material, hit);
             return true;
         }
         return false;

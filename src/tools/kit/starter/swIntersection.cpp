@@ -16,7 +16,7 @@ Ray Intersection::spawnRay(const Vec3& direction, const Vec3& side, RayKind kind
 }
 
 Ray Intersection::getShadowRay(const Vec3& lightPos) const {
-    // The direction is rounded, so origin + 1 * direction may lie 2u beyond the light; 4u = 2^-22.
+    // The direction is rounded, so origin + direction may lie 2u beyond the light; 4u = 2^-22.
     constexpr float shortOfLight = 1 - 0x1p-22f;
     const Vec3 origin = num::offsetFromSurface(position, surfaceNormal(), errorBound());
     return Ray(origin, lightPos - origin, 0, shortOfLight, RayKind::shadow);

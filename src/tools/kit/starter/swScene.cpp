@@ -38,8 +38,7 @@ bool Scene::intersect(const Ray& ray, Intersection& hit, bool any) const {
     bool found = false;
     for (const auto& primitive : content->primitives) {
         Intersection candidate;
-        if (!primitive->intersect(rest, candidate)) continue;
-        if (!(rest.minT < candidate.hitT && candidate.hitT < rest.maxT)) continue;  // or NaN
+        if (!primitive->intersect(rest, candidate) || !rest.contains(candidate.hitT)) continue;
         hit = candidate;
         hit.ray = asked;
         found = true;

@@ -1,4 +1,4 @@
-#include "accel/flatShapes.h"
+#include "accel/shapePackets.h"
 
 #include <bit>
 #include <numeric>
@@ -39,10 +39,10 @@ std::vector<Triangle> room() {
 
 }  // namespace
 
-TEST_CASE("the ten triangles of a room take five lanes of one block") {
+TEST_CASE("the ten triangles of a room take five lanes of one packet") {
     const std::vector<Triangle> walls = room();
     auto pending = numbersTo(walls.size());
-    const TriangleBlock block(walls, pending);
+    const TrianglePacket packet(walls, pending);
     CHECK(pending.empty());
 }
 
@@ -54,21 +54,21 @@ TEST_CASE("triangles that make no parallelogram take a lane each") {
         triangles.emplace_back(v, Material());
     }
     auto pending = numbersTo(triangles.size());
-    const TriangleBlock first(triangles, pending);
+    const TrianglePacket first(triangles, pending);
     REQUIRE(pending == std::vector<std::uint32_t>{8});
-    const TriangleBlock second(triangles, pending);
+    const TrianglePacket second(triangles, pending);
     CHECK(pending.empty());
 }
 
 TEST_CASE("a ray in a room is tested against hardly more than what it hits") {
     const std::vector<Triangle> walls = room();
     auto pending = numbersTo(walls.size());
-    const TriangleBlock block(walls, pending);
+    const TrianglePacket packet(walls, pending);
     Random random(1);
     int candidates = 0, hits = 0;
     for (int i = 0; i < 10000; ++i) {
         const Ray ray(Vec3(0, 20, 0) + random.point(19), random.direction());
-        const unsigned found = block.candidates(FilterRay(ray));
+        const unsigned found = packet.candidates(FilterRay(ray));
         candidates += std::popcount(found);
         for (std::size_t k = 0; k < walls.size(); ++k) {
             Intersection hit;
@@ -76,7 +76,7 @@ TEST_CASE("a ray in a room is tested against hardly more than what it hits") {
             ++hits;
             bool isCandidate = false;
             for (int bit = 0; bit < 2 * simd::lanes; ++bit)
-                if ((found >> bit & 1) != 0) isCandidate |= block.number(bit) == k;
+                if ((found >> bit & 1) != 0) isCandidate |= packet.number(bit) == k;
             CHECK(isCandidate);
         }
     }
@@ -89,11 +89,11 @@ TEST_CASE("a ray among spheres is tested against hardly more than what it hits")
     std::vector<Sphere> spheres;
     for (int i = 0; i < 8; ++i) spheres.emplace_back(random.point(5), 1.0f, Material());
     auto pending = numbersTo(spheres.size());
-    const SphereBlock block(spheres, pending);
+    const SpherePacket packet(spheres, pending);
     int candidates = 0, hits = 0;
     for (int i = 0; i < 10000; ++i) {
         const Ray ray(random.point(8), random.direction());
-        candidates += std::popcount(block.candidates(FilterRay(ray)));
+        candidates += std::popcount(packet.candidates(FilterRay(ray)));
         for (const Sphere& sphere : spheres) {
             Intersection hit;
             hits += sphere.intersect(ray, hit);

@@ -1,4 +1,4 @@
-#include "accel/flatShapes.h"
+#include "accel/shapePackets.h"
 
 #include <algorithm>
 
@@ -17,9 +17,9 @@ bool same(const Vec3& a, const Vec3& b) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-// The corner of a triangle that, mirrored at the middle of the edge across from it, is the other
-// triangle's third vertex: both together are a parallelogram. -1 if there is none.
-int commonParallelogram(const Triangle& triangle, const Triangle& other) {
+// Two triangles make a parallelogram if they share an edge, and the corner across from it, mirrored
+// at the edge's middle, is the other triangle's third vertex. Returns that corner, or -1.
+int parallelogramCorner(const Triangle& triangle, const Triangle& other) {
     const auto& a = triangle.vertices;
     const auto& b = other.vertices;
     for (int i = 0; i < 9; ++i) {
@@ -35,7 +35,7 @@ int commonParallelogram(const Triangle& triangle, const Triangle& other) {
 
 }  // namespace
 
-SphereBlock::SphereBlock(std::span<const Sphere> all, std::vector<std::uint32_t>& pending) {
+SpherePacket::SpherePacket(std::span<const Sphere> all, std::vector<std::uint32_t>& pending) {
     for (std::size_t lane = 0; lane < simd::lanes && !pending.empty(); ++lane) {
         numbers[lane] = takeFirst(pending);
         used |= 1u << lane;
@@ -45,19 +45,19 @@ SphereBlock::SphereBlock(std::span<const Sphere> all, std::vector<std::uint32_t>
     }
 }
 
-unsigned SphereBlock::candidates(const FilterRay& ray) const {
+unsigned SpherePacket::candidates(const FilterRay& ray) const {
     const Float3 f = spread(ray.orig) - loadRows(center[0], simd::lanes);
     return used & ~bits(spheresMissed(ray, f, load(radius)));
 }
 
-TriangleBlock::TriangleBlock(std::span<const Triangle> all, std::vector<std::uint32_t>& pending) {
+TrianglePacket::TrianglePacket(std::span<const Triangle> all, std::vector<std::uint32_t>& pending) {
     for (std::size_t lane = 0; lane < simd::lanes && !pending.empty(); ++lane) {
         numbers[lane] = takeFirst(pending);
         used |= 1u << lane;
         const Triangle& triangle = all[numbers[lane]];
         int corner = -1;
         const auto other = std::find_if(pending.begin(), pending.end(), [&](std::uint32_t i) {
-            return (corner = commonParallelogram(triangle, all[i])) >= 0;
+            return (corner = parallelogramCorner(triangle, all[i])) >= 0;
         });
         setEntry(lane, triangle, std::max(corner, 0));
         if (other == pending.end()) continue;
@@ -67,7 +67,7 @@ TriangleBlock::TriangleBlock(std::span<const Triangle> all, std::vector<std::uin
     }
 }
 
-void TriangleBlock::setEntry(std::size_t lane, const Triangle& triangle, int corner) {
+void TrianglePacket::setEntry(std::size_t lane, const Triangle& triangle, int corner) {
     const Vec3& origin = triangle.vertices[corner];
     const Vec3 first = triangle.vertices[(corner + 1) % 3] - origin;
     const Vec3 second = triangle.vertices[(corner + 2) % 3] - origin;
@@ -79,8 +79,8 @@ void TriangleBlock::setEntry(std::size_t lane, const Triangle& triangle, int cor
     extent[lane] = longestComponent(first, second);
 }
 
-// The first triangle has v + w <= 1; the second one has v + w >= 1, v <= 1 and w <= 1.
-unsigned TriangleBlock::candidates(const FilterRay& ray) const {
+// The first triangle is v + w <= 1; the second one is v + w >= 1, v <= 1 and w <= 1.
+unsigned TrianglePacket::candidates(const FilterRay& ray) const {
     const PlaneHits hits(ray, loadRows(v0[0], simd::lanes), loadRows(e1[0], simd::lanes),
                          loadRows(e2[0], simd::lanes), load(extent));
     const Float sum = hits.v + hits.w;

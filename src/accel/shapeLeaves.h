@@ -11,13 +11,13 @@
 #include "swSphere.h"
 #include "swTriangle.h"
 
-// Many shapes of one type as the leaves of a tree: blocks of one to eight neighbours. Memory
-// decides how fast a large scene is, so of a sphere or triangle only coordinates and the number of
-// its material are kept, like coordinates of a block side by side.
+// Many shapes of one type as the leaves of a tree, one to eight neighbours in each. Memory decides
+// how fast a large scene is. So only the coordinates of a sphere or triangle and the number of its
+// material are kept, and within a leaf the x of all shapes come first, then the y, and so on.
 
 namespace sw {
 
-/// The materials of many shapes, those alike only once.
+/// The materials of many shapes; equal ones are kept once.
 struct MaterialTable {
     std::vector<Material> materials;
     std::vector<std::uint32_t> numbers;  ///< one per shape
@@ -25,50 +25,51 @@ struct MaterialTable {
     const Material& of(std::size_t shape) const { return materials[numbers[shape]]; }
 };
 
-class SphereBlocks {
+class SphereLeaves {
 public:
-    static constexpr int size = 8;  ///< most shapes of a block
+    static constexpr int leafSize = 8;  ///< most shapes per leaf
 
-    /// @param order   the numbers of the spheres, block after block
-    /// @param blocks  how many spheres each block holds
+    /// @param order  the numbers of the spheres, leaf after leaf
+    /// @param sizes  how many spheres each leaf holds
     void assign(std::vector<Sphere> spheres, std::span<const std::uint32_t> order,
-                std::span<const int> blocks);
+                std::span<const int> sizes);
 
-    /// One bit for each of the `count` spheres from place `first` on that the ray may hit. They
-    /// must be one block.
+    /// One bit for each sphere of a leaf that the ray may hit.
+    /// @param first  the leaf's first place in the order
+    /// @param count  how many spheres the leaf holds
     unsigned candidates(const FilterRay& ray, std::size_t first, int count) const;
 
-    /// The i-th sphere of a block, as it was.
+    /// The i-th sphere of a leaf, as it was.
     Sphere shape(std::size_t first, int count, int i) const;
 
-    /// Asks for a block that will be looked at soon.
+    /// Fetches a leaf's memory ahead of its use.
     void prefetch(std::size_t first, int count) const;
 
 private:
-    std::vector<float> rows;  // per block: centre x, y, z, radius
+    std::vector<float> rows;  // per leaf: centre x, y, z, radius
     MaterialTable materials;
 };
 
-class TriangleBlocks {
+class TriangleLeaves {
 public:
-    static constexpr int size = 8;
+    static constexpr int leafSize = 8;
 
     void assign(std::vector<Triangle> triangles, std::span<const std::uint32_t> order,
-                std::span<const int> blocks);
+                std::span<const int> sizes);
     unsigned candidates(const FilterRay& ray, std::size_t first, int count) const;
     Triangle shape(std::size_t first, int count, int i) const;
     void prefetch(std::size_t first, int count) const;
 
 private:
-    std::vector<float> rows;  // per block: the vertices' x, y, z; the edges' longest component
+    std::vector<float> rows;  // per leaf: the vertices' x, y, z; the edges' longest component
     MaterialTable materials;
 };
 
-/// Shapes without a filter but their boxes.
+/// Shapes without a filter other than their boxes.
 template <typename Shape>
-class PlainBlocks {
+class PlainLeaves {
 public:
-    static constexpr int size = 1;
+    static constexpr int leafSize = 1;
 
     void assign(std::vector<Shape> all, std::span<const std::uint32_t> order,
                 std::span<const int>) {

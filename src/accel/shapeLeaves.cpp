@@ -1,11 +1,10 @@
-#include "accel/shapeBlocks.h"
+#include "accel/shapeLeaves.h"
 
 #include <array>
 #include <bit>
 #include <map>
 
 #include "accel/filterKernels.h"
-#include "accel/largePages.h"
 
 namespace sw {
 namespace {
@@ -13,18 +12,18 @@ namespace {
 constexpr std::size_t sphereRows = 4;
 constexpr std::size_t triangleRows = 10;
 
-// Reading a last row as eight values stays within the padding.
+// The padding at the end lets the last row be read as eight values.
 template <typename Shape, std::size_t rowCount, typename Row>
 std::vector<float> makeRows(const std::vector<Shape>& shapes, std::span<const std::uint32_t> order,
-                            std::span<const int> blocks, Row row) {
+                            std::span<const int> sizes, Row row) {
     std::vector<float> rows;
-    reserveInLargePages(rows, order.size() * rowCount + simd::lanes);
+    rows.reserve(order.size() * rowCount + simd::lanes);
     std::size_t first = 0;
-    for (const int count : blocks) {
-        const auto block = order.subspan(first, static_cast<std::size_t>(count));
+    for (const int count : sizes) {
+        const auto leaf = order.subspan(first, static_cast<std::size_t>(count));
         for (std::size_t r = 0; r < rowCount; ++r)
-            for (const std::uint32_t i : block) rows.push_back(row(shapes[i], r));
-        first += block.size();
+            for (const std::uint32_t i : leaf) rows.push_back(row(shapes[i], r));
+        first += leaf.size();
     }
     rows.resize(rows.size() + simd::lanes);
     return rows;
@@ -49,9 +48,9 @@ float triangleRow(const Triangle& triangle, std::size_t r) {
 template <typename Shape>
 MaterialTable materialsOf(const std::vector<Shape>& shapes, std::span<const std::uint32_t> order) {
     using Bits = std::array<std::uint32_t, sizeof(Material) / sizeof(std::uint32_t)>;
-    std::map<Bits, std::uint32_t> known;  // by their bits: NaN is not equal to itself
+    std::map<Bits, std::uint32_t> known;  // by their bits, as NaN is not equal to itself
     MaterialTable table;
-    reserveInLargePages(table.numbers, order.size());
+    table.numbers.reserve(order.size());
     for (const std::uint32_t i : order) {
         const Material& material = shapes[i].material;
         const auto next = static_cast<std::uint32_t>(table.materials.size());
@@ -68,48 +67,48 @@ unsigned keep(Mask rejected, int count) {
 
 }  // namespace
 
-void SphereBlocks::assign(std::vector<Sphere> spheres, std::span<const std::uint32_t> order,
-                          std::span<const int> blocks) {
-    rows = makeRows<Sphere, sphereRows>(spheres, order, blocks, sphereRow);
+void SphereLeaves::assign(std::vector<Sphere> spheres, std::span<const std::uint32_t> order,
+                          std::span<const int> sizes) {
+    rows = makeRows<Sphere, sphereRows>(spheres, order, sizes, sphereRow);
     materials = materialsOf(spheres, order);
 }
 
-Sphere SphereBlocks::shape(std::size_t first, int count, int i) const {
+Sphere SphereLeaves::shape(std::size_t first, int count, int i) const {
     const float* row = rows.data() + sphereRows * first + i;
     return Sphere({row[0], row[count], row[2 * count]}, row[3 * count],
                   materials.of(first + static_cast<std::size_t>(i)));
 }
 
-void SphereBlocks::prefetch(std::size_t first, int count) const {
+void SphereLeaves::prefetch(std::size_t first, int count) const {
     prefetchRows<sphereRows>(rows, first, count);
 }
 
-unsigned SphereBlocks::candidates(const FilterRay& ray, std::size_t first, int count) const {
+unsigned SphereLeaves::candidates(const FilterRay& ray, std::size_t first, int count) const {
     const auto stride = static_cast<std::size_t>(count);
     const float* row = rows.data() + sphereRows * first;
     const Float3 f = spread(ray.orig) - loadRows(row, stride);
     return keep(spheresMissed(ray, f, abs(load(row + 3 * stride))), count);
 }
 
-void TriangleBlocks::assign(std::vector<Triangle> triangles, std::span<const std::uint32_t> order,
-                            std::span<const int> blocks) {
-    rows = makeRows<Triangle, triangleRows>(triangles, order, blocks, triangleRow);
+void TriangleLeaves::assign(std::vector<Triangle> triangles, std::span<const std::uint32_t> order,
+                            std::span<const int> sizes) {
+    rows = makeRows<Triangle, triangleRows>(triangles, order, sizes, triangleRow);
     materials = materialsOf(triangles, order);
 }
 
-Triangle TriangleBlocks::shape(std::size_t first, int count, int i) const {
+Triangle TriangleLeaves::shape(std::size_t first, int count, int i) const {
     const float* row = rows.data() + triangleRows * first + i;
-    Triangle triangle;  // filled in its place: copies of what was written a moment ago are slow
+    Triangle triangle;  // filled in place: reading back what was just written is slow
     triangle.material = materials.of(first + static_cast<std::size_t>(i));
     for (int k = 0; k < 9; ++k) triangle.vertices[k / 3].m[k % 3] = row[k * count];
     return triangle;
 }
 
-void TriangleBlocks::prefetch(std::size_t first, int count) const {
+void TriangleLeaves::prefetch(std::size_t first, int count) const {
     prefetchRows<triangleRows>(rows, first, count);
 }
 
-unsigned TriangleBlocks::candidates(const FilterRay& ray, std::size_t first, int count) const {
+unsigned TriangleLeaves::candidates(const FilterRay& ray, std::size_t first, int count) const {
     const auto stride = static_cast<std::size_t>(count);
     const float* row = rows.data() + triangleRows * first;
     const Float3 v0 = loadRows(row, stride);

@@ -12,26 +12,27 @@
 #include "swSphere.h"
 #include "swTriangle.h"
 
-// A few shapes of one type, looked at one block after the other. For a dozen of them that is faster
+// Packets of up to eight shapes of one type, for a linear scan: with a dozen shapes that is faster
 // than any tree.
 
 namespace sw {
 
 /// Up to eight spheres.
-class SphereBlock {
+class SpherePacket {
 public:
-    /// Up to about this many, looking at all shapes takes no longer than finding a way among them.
-    /// Measured on scattered shapes: 48 to 64 spheres, 32 triangles.
-    static constexpr int few = 32;
+    /// Up to this count a linear scan is as fast as a tree. Measured on scattered shapes: 48 to 64
+    /// spheres, 32 triangles.
+    static constexpr int linearLimit = 32;
 
-    /// @param all      of which at most eight are taken
-    /// @param pending  numbers of spheres; those taken are removed
-    SphereBlock(std::span<const Sphere> all, std::vector<std::uint32_t>& pending);
+    /// Takes at most eight spheres.
+    /// @param all      the spheres
+    /// @param pending  the numbers of those to choose from; what is taken is removed
+    SpherePacket(std::span<const Sphere> all, std::vector<std::uint32_t>& pending);
 
-    /// One bit for each shape that the ray may hit.
+    /// One bit for each sphere that the ray may hit.
     unsigned candidates(const FilterRay& ray) const;
 
-    /// The number of the shape that a bit stands for.
+    /// The number of the sphere that a bit stands for.
     std::uint32_t number(int bit) const { return numbers[static_cast<std::size_t>(bit)]; }
 
 private:
@@ -40,13 +41,12 @@ private:
     unsigned used = 0;  // bits that stand for a sphere
 };
 
-/// Up to eight triangles or parallelograms, each of the latter two triangles: walls and boxes are
-/// made of them.
-class TriangleBlock {
+/// Up to eight triangles or parallelograms: pairs of triangles, as in walls and boxes.
+class TrianglePacket {
 public:
-    static constexpr int few = 32;
+    static constexpr int linearLimit = 32;
 
-    TriangleBlock(std::span<const Triangle> all, std::vector<std::uint32_t>& pending);
+    TrianglePacket(std::span<const Triangle> all, std::vector<std::uint32_t>& pending);
     unsigned candidates(const FilterRay& ray) const;
     std::uint32_t number(int bit) const { return numbers[static_cast<std::size_t>(bit)]; }
 
@@ -59,13 +59,13 @@ private:
     unsigned used = 0;
 };
 
-/// Up to eight shapes without a filter: every one is a candidate.
-class PlainBlock {
+/// Up to eight shapes without a filter: each is a candidate.
+class PlainPacket {
 public:
-    static constexpr int few = 1;  // a tree's boxes are the filter
+    static constexpr int linearLimit = 1;  // a tree's boxes are the filter
 
     template <typename Shapes>
-    PlainBlock(const Shapes&, std::vector<std::uint32_t>& pending)
+    PlainPacket(const Shapes&, std::vector<std::uint32_t>& pending)
         : first(pending.front()),
           used((1u << std::min<std::size_t>(pending.size(), simd::lanes)) - 1) {
         pending.erase(pending.begin(), pending.begin() + std::popcount(used));
