@@ -19,10 +19,8 @@ bool encloses(const Bounds& box, const Vec3& p) {
     return encloses(box, toDouble(p));
 }
 
-bool same(const Bounds& a, const Bounds& b) {
-    for (int i = 0; i < 3; ++i)
-        if (a.min[i] != b.min[i] || a.max[i] != b.max[i]) return false;
-    return true;
+bool isSameBox(const Bounds& a, const Bounds& b) {
+    return isSame(a.min, b.min) && isSame(a.max, b.max);
 }
 
 // Says nothing about its extent, as a first try of a student's own.
@@ -67,25 +65,25 @@ TEST_CASE("a box is just large enough for the points added to it") {
 TEST_CASE("adding a box is adding its corners") {
     Bounds box({-1, 0, 1}, {1, 2, 3}), fresh;
     box.add(Bounds({-5, 1, 0}, {0, 9, 2}));
-    CHECK(same(box, Bounds({-5, 0, 0}, {1, 9, 3})));
+    CHECK(isSameBox(box, Bounds({-5, 0, 0}, {1, 9, 3})));
     fresh.add(box);
-    CHECK(same(fresh, box));
+    CHECK(isSameBox(fresh, box));
 }
 
 TEST_CASE("adding an empty box changes nothing") {
     Bounds box({-1, 0, 1}, {1, 2, 3}), fresh;
     box.add(Bounds());
-    CHECK(same(box, Bounds({-1, 0, 1}, {1, 2, 3})));
+    CHECK(isSameBox(box, Bounds({-1, 0, 1}, {1, 2, 3})));
     fresh.add(Bounds());
-    CHECK(same(fresh, Bounds()));
+    CHECK(isSameBox(fresh, Bounds()));
 }
 
 TEST_CASE("a coordinate that is NaN changes nothing in a box") {
     Bounds box({-1, -1, -1}, {1, 1, 1});
     box.add(Vec3(NAN, 0, NAN));
-    CHECK(same(box, Bounds({-1, -1, -1}, {1, 1, 1})));
+    CHECK(isSameBox(box, Bounds({-1, -1, -1}, {1, 1, 1})));
     box.add(Vec3(2, NAN, -3));
-    CHECK(same(box, Bounds({-1, -1, -3}, {2, 1, 1})));
+    CHECK(isSameBox(box, Bounds({-1, -1, -3}, {2, 1, 1})));
 }
 
 TEST_CASE("a box is finite only with an end on every side") {
@@ -110,11 +108,11 @@ TEST_CASE("the unbounded box holds every point") {
     CHECK(encloses(Bounds::unbounded(), Vec3(FLT_MAX, -FLT_MAX, 0)));
     Bounds box({-1, -1, -1}, {1, 1, 1});
     box.add(Bounds::unbounded());
-    CHECK(same(box, Bounds::unbounded()));
+    CHECK(isSameBox(box, Bounds::unbounded()));
 }
 
 TEST_CASE("a primitive that does not know its box is unbounded") {
-    CHECK(same(Unmeasured().bounds(), Bounds::unbounded()));
+    CHECK(isSameBox(Unmeasured().bounds(), Bounds::unbounded()));
 }
 
 TEST_CASE("the box of a sphere holds it closely") {
@@ -152,5 +150,5 @@ TEST_CASE("a flat triangle has a flat and finite box") {
     const Vec3 v[] = {{0, 2, 0}, {4, 2, 0}, {0, 2, 4}};
     const Bounds box = Triangle(v, {}).bounds();
     CHECK(box.isFinite());
-    CHECK(same(box, Bounds({0, 2, 0}, {4, 2, 4})));
+    CHECK(isSameBox(box, Bounds({0, 2, 0}, {4, 2, 4})));
 }

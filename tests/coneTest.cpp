@@ -9,16 +9,6 @@ namespace {
 
 const Material paint({0.1f, 0.2f, 0.3f}, 0.4f, 0.5f, 1.6f);
 
-// The hit's ray parameter where there is a hit, else NaN.
-float hitT(const Cone& cone, const Ray& ray) {
-    Intersection hit;
-    return cone.intersect(ray, hit) ? hit.hitT : NAN;
-}
-
-bool isHit(const Cone& cone, const Ray& ray) {
-    return !std::isnan(hitT(cone, ray));
-}
-
 Cone randomCone(Random& random) {
     Cone cone(random.point(10), random.real(0.1, 5), random.point(10), random.real(0.1, 5), paint);
     const int kind = random.whole(0, 3);

@@ -45,19 +45,15 @@ Patch flat(const Vec3* vertices, const Vec3& normal) {
     return Patch(vertices, normals, glass);
 }
 
-bool equal(const Vec3& a, const Vec3& b) {
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
-bool equal(const Ray& a, const Ray& b) {
-    return equal(a.orig, b.orig) && equal(a.dir, b.dir) && a.maxT == b.maxT;
+bool isSameRay(const Ray& a, const Ray& b) {
+    return isSame(a.orig, b.orig) && isSame(a.dir, b.dir) && a.maxT == b.maxT;
 }
 
 bool sameSpawnedRays(const Intersection& a, const Intersection& b) {
     const Vec3 light(1, 20, 3);
-    return equal(a.getShadowRay(light), b.getShadowRay(light)) &&
-           equal(a.getReflectedRay(), b.getReflectedRay()) &&
-           equal(a.getRefractedRay(), b.getRefractedRay());
+    return isSameRay(a.getShadowRay(light), b.getShadowRay(light)) &&
+           isSameRay(a.getReflectedRay(), b.getReflectedRay()) &&
+           isSameRay(a.getRefractedRay(), b.getRefractedRay());
 }
 
 double cosine(const Vec3& a, const Vec3& b) {
@@ -91,8 +87,8 @@ TEST_CASE("a patch with the normals of its plane is a triangle") {
     Patch patch = flat(c.vertices, outward);
     patch.material.refractiveIndex = 1.7f;
     REQUIRE(patch.intersect(c.ray, hit));
-    CHECK(equal(hit.normal, expected.normal));
-    CHECK(equal(hit.position, expected.position));
+    CHECK(isSame(hit.normal, expected.normal));
+    CHECK(isSame(hit.position, expected.position));
     CHECK(hit.hitT == expected.hitT);
     CHECK(hit.frontFacing == expected.frontFacing);
     CHECK(hit.positionError == expected.positionError);
@@ -100,7 +96,7 @@ TEST_CASE("a patch with the normals of its plane is a triangle") {
     hit.material = glass;
     CHECK(sameSpawnedRays(hit, expected));
     const Bounds box = patch.bounds(), other = c.triangle().bounds();
-    CHECK((equal(box.min, other.min) && equal(box.max, other.max)));
+    CHECK((isSame(box.min, other.min) && isSame(box.max, other.max)));
 }
 
 TEST_CASE("the normal is interpolated between the vertices") {
@@ -135,9 +131,9 @@ TEST_CASE("at a vertex a patch has exactly the vertex's normal") {
     for (int i = 0; i < 3; ++i) {
         Intersection hit;
         REQUIRE(patch.intersect(Ray(vertices[i] + Vec3(0, 0, 4), {0, 0, -1}), hit));
-        CHECK(equal(hit.normal, normals[i]));
+        CHECK(isSame(hit.normal, normals[i]));
         REQUIRE(patch.intersect(Ray(vertices[i] - Vec3(0, 0, 4), {0, 0, 1}), hit));
-        CHECK(equal(hit.normal, -normals[i]));
+        CHECK(isSame(hit.normal, -normals[i]));
         CHECK_FALSE(hit.frontFacing);
     }
 }
@@ -220,13 +216,13 @@ TEST_CASE("a normal without direction stands for the plane's") {
     const Ray ray({1, 1, 5}, {0, 0, -1});
     Intersection hit;
     REQUIRE(flat(vertices, bad).intersect(ray, hit));
-    CHECK(equal(hit.normal, Vec3(0, 0, 1)));
+    CHECK(isSame(hit.normal, Vec3(0, 0, 1)));
     const Vec3 one[] = {bad, {0.6e30f, 0, 0.8e30f}, {0, 0, 1e-30f}};
     REQUIRE(Patch(vertices, one, glass).intersect(Ray({2, 0, 5}, {0, 0, -1}), hit));
     CHECK(distance(hit.normal, Vec3(0.6f, 0, 1.8f).normalize()) <= 1e-6);
     const Vec3 opposite[] = {{1, 0, 1}, {-1, 0, -1}, {-1, 0, -1}};  // half-way they cancel out
     REQUIRE(Patch(vertices, opposite, glass).intersect(Ray({2, 0, 5}, {0, 0, -1}), hit));
-    CHECK(equal(hit.normal, Vec3(0, 0, 1)));
+    CHECK(isSame(hit.normal, Vec3(0, 0, 1)));
 }
 
 TEST_CASE("a patch without area is never hit") {

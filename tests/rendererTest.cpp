@@ -45,8 +45,7 @@ int differences(const Image& part, const Window& window, const Image& whole) {
     int count = 0;
     for (int y = 0; y < window.height(); ++y) {
         for (int x = 0; x < window.width(); ++x) {
-            const Color a = part.at(x, y), b = whole.at(window.x0 + x, window.y0 + y);
-            if (!(a[0] == b[0] && a[1] == b[1] && a[2] == b[2])) ++count;
+            count += !isSame(part.at(x, y), whole.at(window.x0 + x, window.y0 + y));
         }
     }
     return count;

@@ -43,17 +43,6 @@ std::optional<double> oracle(const Sphere& sphere, const Ray& ray) {
     return away;
 }
 
-// The hit's ray parameter where there is a hit, else NaN.
-float hitT(const Sphere& sphere, const Ray& ray) {
-    Intersection hit;
-    return sphere.intersect(ray, hit) ? hit.hitT : NAN;
-}
-
-bool isHit(const Sphere& sphere, const Ray& ray) {
-    Intersection hit;
-    return sphere.intersect(ray, hit);
-}
-
 }  // namespace
 
 TEST_CASE("a sphere is hit where double precision says") {

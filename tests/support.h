@@ -10,6 +10,7 @@
 #include "catch.h"
 #include "swIntersection.h"
 #include "swNumerics.h"
+#include "swPrimitive.h"
 #include "swVec3.h"
 
 namespace sw {
@@ -58,6 +59,21 @@ public:
 private:
     std::mt19937_64 engine;
 };
+
+/// Whether two vectors are equal; never with NaN.
+inline bool isSame(const Vec3& a, const Vec3& b) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+/// Whether a ray hits, and where: NaN if nowhere.
+inline bool isHit(const sw::Primitive& shape, const sw::Ray& ray) {
+    sw::Intersection hit;
+    return shape.intersect(ray, hit);
+}
+inline float hitT(const sw::Primitive& shape, const sw::Ray& ray) {
+    sw::Intersection hit;
+    return shape.intersect(ray, hit) ? hit.hitT : NAN;
+}
 
 /// Largest difference of two vectors' coordinates.
 inline double distance(const Vec3& a, const dvec3& b) {

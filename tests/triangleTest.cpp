@@ -74,11 +74,6 @@ std::optional<double> oracle(const Triangle& t, const Ray& ray) {
     return parameter;
 }
 
-bool isHit(const Triangle& t, const Ray& ray) {
-    Intersection ignored;
-    return t.intersect(ray, ignored);
-}
-
 Vec3 wholeVector(Random& random) {
     Vec3 v;
     for (float& x : v.m) x = static_cast<float>(random.whole(-8, 8));

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "sampling/splitMix64.h"
 #include "swSamplePattern.h"
 
 namespace sw {
@@ -19,8 +20,7 @@ public:
     static constexpr int length = 4096;
 
     PixelSequence(std::uint64_t seed, int x, int y)
-        : key(mix(seed ^ mix(static_cast<std::uint32_t>(x) |
-                             std::uint64_t{static_cast<std::uint32_t>(y)} << 32))) {}
+        : key(splitMix64::after(seed ^ splitMix64::after(splitMix64::placeOf(x, y)))) {}
 
     /// Point number i, from 0 to length - 1.
     SamplePoint operator[](int i) const {
@@ -30,14 +30,6 @@ public:
     }
 
 private:
-    // SplitMix64's step and finaliser, as in swSampling.cpp.
-    static constexpr std::uint64_t mix(std::uint64_t z) {
-        z += 0x9e3779b97f4a7c15;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        return z ^ (z >> 31);
-    }
-
     // Flips each bit depending on the lower ones. The lowest bit is the first binary digit of a
     // coordinate, so this permutes the halves of every dyadic interval.
     static constexpr std::uint32_t scramble(std::uint32_t digits, std::uint32_t seed) {

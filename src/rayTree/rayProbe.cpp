@@ -53,10 +53,6 @@ bool isSame(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-bool isSame(const Vec3& a, const Vec3& b) {
-    return isSame(a[0], b[0]) && isSame(a[1], b[1]) && isSame(a[2], b[2]);
-}
-
 }  // namespace
 
 Run watch(const Trace& trace, const Ray& ray, const Scene& scene, int depth) {
@@ -78,6 +74,10 @@ Run replay(const Trace& trace, const Ray& ray, const Scene& scene, int depth,
     // Not setBackground(): that would leave out copies of the scene which the function made.
     probe->background = const_cast<Color*>(&stage.background());
     return call(trace, ray, stage, depth, queries);
+}
+
+bool isSame(const Vec3& a, const Vec3& b) {
+    return isSame(a[0], b[0]) && isSame(a[1], b[1]) && isSame(a[2], b[2]);
 }
 
 bool isSame(const Ray& a, const Ray& b) {

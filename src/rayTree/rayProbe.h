@@ -48,7 +48,8 @@ Run replay(const Trace& trace, const sw::Ray& ray, const sw::Scene& scene, int d
            const std::vector<sw::Light>& lights,
            const std::function<Answer(std::size_t, const sw::Ray&)>& answer);
 
-/// Whether two rays are the same, bit by bit.
+/// Whether two vectors or rays are the same, bit by bit.
+bool isSame(const sw::Vec3& a, const sw::Vec3& b);
 bool isSame(const sw::Ray& a, const sw::Ray& b);
 
 }  // namespace rayTree

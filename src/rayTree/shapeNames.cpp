@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "rayTree/rayProbe.h"
+
 namespace rayTree {
 namespace {
 
@@ -12,11 +14,7 @@ std::string describe(const NffShape& shape) {
            (shape.describe ? shape.describe(*shape.primitive) : "of a kind unknown here") + ")";
 }
 
-bool isSame(const Vec3& a, const Vec3& b) {
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
-bool isSame(const Intersection& a, const Intersection& b) {
+bool isSameHit(const Intersection& a, const Intersection& b) {
     return isSame(a.position, b.position) && isSame(a.normal, b.normal) &&
            isSame(a.material.color, b.material.color);
 }
@@ -28,7 +26,7 @@ std::string ShapeNames::hitBy(const Ray& ray, const Intersection& hit) const {
     for (const NffShape& shape : shapes) {
         Intersection candidate;
         if (!shape.primitive->intersect(ray, candidate) || candidate.hitT != hit.hitT) continue;
-        if (isSame(candidate, hit)) return describe(shape);
+        if (isSameHit(candidate, hit)) return describe(shape);
         if (!found) found = &shape;  // unless one agrees in all
     }
     return found ? describe(*found) : "something that is not in the scene file";

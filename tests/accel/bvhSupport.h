@@ -111,15 +111,16 @@ struct Inspection {
             const Bounds box({p[0][i], p[1][i], p[2][i]}, {p[3][i], p[4][i], p[5][i]});
             if (!(box.min[0] <= box.max[0])) continue;
             notEnclosed += !encloses(outer, box);
-            if (BvhNode::isLeaf(node.child[i]))
+            if (sw::BvhNode::isLeaf(node.child[i]))
                 inspectLeaf(node.child[i], box);
             else
                 walk(node.child[i], box, level + 1);
         }
     }
     void inspectLeaf(std::uint32_t leaf, const Bounds& box) {
-        oversized += BvhNode::leafCount(leaf) > leafSize;
-        for (const auto i : bvh.order().subspan(BvhNode::leafFirst(leaf), BvhNode::leafCount(leaf))) {
+        oversized += sw::BvhNode::leafCount(leaf) > leafSize;
+        for (const auto i :
+             bvh.order().subspan(sw::BvhNode::leafFirst(leaf), sw::BvhNode::leafCount(leaf))) {
             ++times[i];
             notEnclosed += !encloses(box, boxes[i]);
         }

@@ -58,8 +58,7 @@ int differences(const AdaptiveResult& part, const Window& window, const Adaptive
             const auto there = static_cast<std::size_t>(y * size + x);
             const auto here =
                 static_cast<std::size_t>((y - window.y0) * window.width() + x - window.x0);
-            const Color a = part.image.at(x - window.x0, y - window.y0), b = all.image.at(x, y);
-            count += !(a[0] == b[0] && a[1] == b[1] && a[2] == b[2]) ||
+            count += !isSame(part.image.at(x - window.x0, y - window.y0), all.image.at(x, y)) ||
                      part.errors.at(x - window.x0, y - window.y0)[0] != all.errors.at(x, y)[0] ||
                      part.sampleCounts[here] != all.sampleCounts[there];
         }

@@ -38,10 +38,6 @@ int count(const std::string& text, const std::string& part) {
     return n;
 }
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 void checkRefused(const std::string& arguments, const std::string& message) {
     const TemporaryFolder folder;
     const Run run = swtracer(folder, arguments);

@@ -15,10 +15,6 @@ using sw::RayKind;
 
 namespace {
 
-bool sameBits(const Color& a, const Color& b) {
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
 // Whether the rays are those that the function casts without being watched.
 bool isWhatHappens(const rayTree::Trace& trace, const Ray& ray, const Scene& scene, int depth) {
     sw::takeRayCount();
@@ -30,7 +26,7 @@ bool isWhatHappens(const rayTree::Trace& trace, const Ray& ray, const Scene& sce
         ++rays[static_cast<std::size_t>(node.query.ray.kind)];
     });
     return tree.ends && tree.isFaithful && tree.nodes == count.total() && rays == count.rays &&
-           tree.primary.color && sameBits(*tree.primary.color, color);
+           tree.primary.color && isSame(*tree.primary.color, color);
 }
 
 // How far the parts of a colour are off the whole, at worst in the tree.
@@ -55,7 +51,7 @@ int wrongWeights(const RayTree& tree) {
         const Material& material = parent->query.hit.material;
         const bool mirrored = node.query.ray.kind == RayKind::reflected;
         const float w = mirrored ? material.reflectivity : material.transparency;
-        wrong += !sameBits(node.weight, Color(w, w, w));
+        wrong += !isSame(node.weight, Color(w, w, w));
     });
     return wrong;
 }
@@ -158,7 +154,7 @@ TEST_CASE("a ray that goes to a light by chance is no shadow ray") {
     CHECK(tree.primary.children[0].light == 0);
     CHECK(tree.primary.children[1].isTraced);
     CHECK(tree.primary.children[1].light == -1);
-    CHECK(sameBits(tree.primary.children[1].weight, Color(r, r, r)));
+    CHECK(isSame(tree.primary.children[1].weight, Color(r, r, r)));
 }
 
 TEST_CASE("the weight is what the function multiplies with whatever the material says") {
@@ -197,8 +193,8 @@ TEST_CASE("two equal rays have a weight each") {
     scene.setBackground(Color(1, 2, 3));
     const RayTree tree = growTree(twice, Ray(Vec3(1, 1, 9), Vec3(0, 0, -1)), scene, 1);
     REQUIRE(tree.primary.children.size() == 2);
-    CHECK(sameBits(tree.primary.children[0].weight, Color(0.25f, 0.25f, 0.25f)));
-    CHECK(sameBits(tree.primary.children[1].weight, Color(0.5f, 0.5f, 0.5f)));
+    CHECK(isSame(tree.primary.children[0].weight, Color(0.25f, 0.25f, 0.25f)));
+    CHECK(isSame(tree.primary.children[1].weight, Color(0.5f, 0.5f, 0.5f)));
 }
 
 TEST_CASE("light without a shadow ray and light from nowhere are told") {
@@ -217,7 +213,7 @@ TEST_CASE("light without a shadow ray and light from nowhere are told") {
     REQUIRE(tree.primary.lightAdds.size() == 2);
     CHECK(distance(tree.primary.lightAdds[0], Vec3(1, 0.5f, 0)) < 1e-6);
     CHECK(distance(tree.primary.lightAdds[1], dvec3(0.5 * 6 / std::sqrt(117.0), 0, 0)) < 1e-6);
-    CHECK(sameBits(tree.primary.otherAdds, Color(0, 0, 0.125f)));
+    CHECK(isSame(tree.primary.otherAdds, Color(0, 0, 0.125f)));
 }
 
 TEST_CASE("rays keep their limits") {

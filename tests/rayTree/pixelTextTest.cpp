@@ -15,10 +15,6 @@ std::string told(const rayTree::Trace& trace, const Ray& ray, const Scene& scene
     return describe(growTree(trace, ray, scene, depth), scene, rayTree::ShapeNames(shapes));
 }
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 // A ball of glass before a white sky, and a ray at it.
 Scene ball(const Material& material = Material(Color(1, 1, 1), 0.2f, 0.75f, 1.3f)) {
     Scene scene;

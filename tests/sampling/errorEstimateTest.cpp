@@ -37,10 +37,6 @@ std::function<Color(int, int)> noisyPixels(int n) {
     };
 }
 
-bool same(const Color& a, const Color& b) {
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
 }  // namespace
 
 TEST_CASE("equal samples have no error") {
@@ -101,14 +97,14 @@ TEST_CASE("the displayed error is what white and black leave of it") {
 TEST_CASE("samples are noted for the innermost picture of their own thread") {
     const Color red(1, 0, 0), none(0, 0, 0);
     const auto take = [](const Color& color) { return Color(SampleMean() += color); };
-    CHECK(same(take(red), red));  // nobody listens
+    CHECK(isSame(take(red), red));  // nobody listens
     PixelSamples outer(SamplePattern::random, 2);
     take(red);
     {
         PixelSamples inner(SamplePattern::jitter, 2);
         CHECK(isNone(inner.takeError(none)));
         for (int i = 0; i < 4; ++i) take(none);
-        CHECK(same(inner.takeError(none), none));
+        CHECK(isSame(inner.takeError(none), none));
         CHECK(isNone(inner.takeError(none)));  // forgotten
     }
     std::thread([&] { take(red); }).join();
@@ -142,7 +138,7 @@ TEST_CASE("errors are the same for any threads, tiles and crop") {
     int wrong = 0;
     for (int y = part.y0; y < part.y1; ++y)
         for (int x = part.x0; x < part.x1; ++x)
-            wrong += !same(cropped.errors.at(x - 7, y - 3), expected.errors.at(x, y));
+            wrong += !isSame(cropped.errors.at(x - 7, y - 3), expected.errors.at(x, y));
     CHECK(wrong == 0);
 }
 
@@ -179,5 +175,5 @@ TEST_CASE("the lab's samplePixel notes every sample") {
     Scene scene;
     scene.setBackground(Color(0.5f, 0.5f, 0.5f));
     PixelSamples samples(SamplePattern::jitter, n);
-    CHECK(same(samples.takeError(lab::samplePixel(1, 2, n, 3, camera, scene)), Color(0, 0, 0)));
+    CHECK(isSame(samples.takeError(lab::samplePixel(1, 2, n, 3, camera, scene)), Color(0, 0, 0)));
 }

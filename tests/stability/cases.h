@@ -62,6 +62,11 @@ inline Vec3 anyDirection(Random& random) {
     return v;
 }
 
+/// A length unit: scenes in it have coordinates from 2^-30 on, or up to 2^30 times as large.
+inline float anyScale(Random& random) {
+    return std::ldexp(1.0f, random.whole(-30, 30));
+}
+
 /// Moves p by a distance along v, computed in double.
 inline Vec3 moved(const Vec3& p, const Vec3& v, double distance) {
     return sw::num::toFloat(toDouble(p) + distance * toDouble(v));

@@ -36,10 +36,6 @@ Pair anyPair(Random& random) {
     return pair;
 }
 
-bool same(const Vec3& a, const Vec3& b) {
-    return distance(a, b) == 0;
-}
-
 // Follows one path through both scenes, with a shadow ray from every hit.
 std::string follow(Random& random, const Pair& pair) {
     Ray ray(random.point(10), random.direction()), twin(ray.orig * pair.factor, ray.dir);
@@ -48,9 +44,9 @@ std::string follow(Random& random, const Pair& pair) {
         const bool found = pair.original.intersect(ray, hit);
         if (pair.scaled.intersect(twin, twinHit) != found) return describe("hit", bounce, ray);
         if (!found) break;
-        if (!same(hit.position * pair.factor, twinHit.position)) return describe("position", ray);
+        if (!isSame(hit.position * pair.factor, twinHit.position)) return describe("position", ray);
         if (hit.hitT * pair.factor != twinHit.hitT) return describe("t", ray);
-        if (!same(hit.normal, twinHit.normal) || hit.frontFacing != twinHit.frontFacing)
+        if (!isSame(hit.normal, twinHit.normal) || hit.frontFacing != twinHit.frontFacing)
             return describe("normal", ray);
         const Vec3 light = random.point(10);
         const bool shadow = pair.original.intersect(hit.getShadowRay(light), blocker, true);
@@ -60,7 +56,7 @@ std::string follow(Random& random, const Pair& pair) {
         const bool mirror = random.coin();
         ray = mirror ? hit.getReflectedRay() : hit.getRefractedRay();
         twin = mirror ? twinHit.getReflectedRay() : twinHit.getRefractedRay();
-        if (!same(ray.orig * pair.factor, twin.orig) || !same(ray.dir, twin.dir))
+        if (!isSame(ray.orig * pair.factor, twin.orig) || !isSame(ray.dir, twin.dir))
             return describe(mirror ? "reflected" : "refracted", ray, twin);
     }
     return "";
@@ -100,7 +96,7 @@ TEST_CASE("the lab scene looks the same at every scale") {
         int different = 0;
         for (int y = 0; y < original.height(); ++y)
             for (int x = 0; x < original.width(); ++x)
-                if (!same(original.at(x, y), scaled.at(x, y))) ++different;
+                if (!isSame(original.at(x, y), scaled.at(x, y))) ++different;
         CAPTURE(factor);
         CHECK(different == 0);
     }

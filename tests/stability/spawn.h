@@ -5,11 +5,6 @@
 
 namespace test {
 
-/// A length unit: scenes in it have coordinates from 2^-30 on, or up to 2^30 times as large.
-inline float anyScale(Random& random) {
-    return std::ldexp(1.0f, random.whole(-30, 30));
-}
-
 inline sw::Material anyGlass(Random& random) {
     const float index = random.coin() ? random.real(0.4, 2.5) : random.real(1 - 1e-6, 1 + 1e-6);
     return sw::Material({1, 1, 1}, 0.5f, 0.5f, index);

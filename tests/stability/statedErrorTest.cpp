@@ -54,10 +54,6 @@ struct SlideSphere : Sphere {
     }
 };
 
-float anyScale(Random& random) {
-    return std::ldexp(1.0f, random.whole(-30, 30));
-}
-
 SlideTriangle anySlideTriangle(Random& random, float size) {
     SlideTriangle triangle;
     do

@@ -5,8 +5,8 @@
 #include "app/programRun.h"
 #include "nff/shippedScenes.h"
 #include "tools/common/html.h"
+#include "tools/common/powerLaw.h"
 #include "tools/common/table.h"
-#include "tools/convergence/powerLaw.h"
 
 using namespace report;
 using html::base64;

@@ -1,10 +1,8 @@
-#include <embree3/rtcore.h>
-
 #include <atomic>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
+#include "tools/bench/embreeRays.h"
 #include "tools/bench/yardstick.h"
 
 namespace bench {
@@ -12,9 +10,7 @@ namespace {
 
 class Embree : public Yardstick {
 public:
-    explicit Embree(const Model& source)
-        : model(source), device(rtcNewDevice("threads=1,set_affinity=0")) {
-        if (!device) throw std::runtime_error("Embree does not start");
+    explicit Embree(const Model& source) : model(source), device(startEmbree()) {
         rtcSetDeviceMemoryMonitorFunction(device, count, &memory);
     }
     ~Embree() override {
@@ -35,7 +31,13 @@ public:
     }
 
     std::size_t trace(std::span<const sw::Ray> rays, bool any) const override {
-        return any ? traceAny(rays) : traceClosest(rays);
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        std::size_t hits = 0;
+        for (const sw::Ray& ray : rays)
+            hits += any ? isOccluded(scene, context, ray)
+                        : nearestHit(scene, context, ray).hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        return hits;
     }
 
     std::size_t bytes() const override { return static_cast<std::size_t>(memory.load()); }
@@ -65,43 +67,6 @@ private:
         std::memcpy(buffer, static_cast<const void*>(items.data()), items.size() * sizeof(Item));
     }
 
-    static RTCRay convert(const sw::Ray& ray) {
-        RTCRay r;
-        r.org_x = ray.orig[0], r.org_y = ray.orig[1], r.org_z = ray.orig[2];
-        r.dir_x = ray.dir[0], r.dir_y = ray.dir[1], r.dir_z = ray.dir[2];
-        r.tnear = ray.minT, r.tfar = ray.maxT;
-        r.time = 0;
-        r.mask = ~0u;
-        r.id = r.flags = 0;
-        return r;
-    }
-
-    std::size_t traceClosest(std::span<const sw::Ray> rays) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        std::size_t hits = 0;
-        for (const sw::Ray& ray : rays) {
-            RTCRayHit query;
-            query.ray = convert(ray);
-            query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(scene, &context, &query);
-            hits += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-        }
-        return hits;
-    }
-
-    std::size_t traceAny(std::span<const sw::Ray> rays) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        std::size_t hits = 0;
-        for (const sw::Ray& ray : rays) {
-            RTCRay query = convert(ray);
-            rtcOccluded1(scene, &context, &query);
-            hits += query.tfar < 0;
-        }
-        return hits;
-    }
-
     std::atomic<std::ptrdiff_t> memory{0};
     const Model& model;
     RTCDevice device;
@@ -109,6 +74,12 @@ private:
 };
 
 }  // namespace
+
+RTCDevice startEmbree() {
+    const RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
+    if (!device) throw std::runtime_error("Embree does not start");
+    return device;
+}
 
 std::unique_ptr<Yardstick> makeYardstick(const Model& model) {
     return std::make_unique<Embree>(model);

@@ -1,7 +1,6 @@
 #include "accel/bvhTraversal.h"
 #include "tools/bench/models.h"
 #include "tools/bench/parts.h"
-#include "tools/common/measure.h"
 
 namespace bench {
 namespace {

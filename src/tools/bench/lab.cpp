@@ -7,7 +7,6 @@
 #include "tools/bench/parts.h"
 #include "tools/bench/picture.h"
 #include "tools/common/mainFunctions.h"
-#include "tools/common/measure.h"
 
 namespace bench {
 namespace {

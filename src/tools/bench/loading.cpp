@@ -2,8 +2,7 @@
 
 #include "swNff.h"
 #include "tools/bench/parts.h"
-#include "tools/common/measure.h"
-#include "tools/generators/scenes.h"
+#include "tools/common/mount.h"
 
 namespace bench {
 namespace {

@@ -4,7 +4,6 @@
 #include "tools/bench/memory.h"
 #include "tools/bench/parts.h"
 #include "tools/bench/yardstick.h"
-#include "tools/common/measure.h"
 
 namespace bench {
 namespace {

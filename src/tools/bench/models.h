@@ -34,8 +34,7 @@ Model bumpySphere(std::uint32_t n);
 /// Triangles anywhere in a cube, of a size such that they fill it alike for any number.
 Model triangleSoup(std::uint32_t count);
 
-/// Spheres with nine smaller ones on each, breadth first until there are as many as asked for
-/// (Haines, A Proposal for Standard Graphics Environments, 1987).
+/// The balls of common/sphereflake.h.
 Model sphereflake(std::uint32_t count);
 
 /// Our scene of it, not prepared yet.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/bench/result.h"
+#include "tools/common/measure.h"
 
 namespace bench {
 
@@ -16,6 +17,11 @@ struct Setup {
     /// An odd number.
     int repetitions(int usual) const { return quick ? 1 : usual; }
 };
+
+using report::median;
+using report::processorSecondsOf;
+using report::secondsOf;
+using report::Times;
 
 // The parts of the benchmark. Each adds its lines.
 

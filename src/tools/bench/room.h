@@ -2,25 +2,19 @@
 
 #include <vector>
 
-#include "swMaterial.h"
+#include "swSphere.h"
+#include "swTriangle.h"
 
-/// The lab's room (scenes/cornell.nff) as lab programs of old spell it out.
 namespace bench {
 
-struct RoomTriangle {
-    sw::Vec3 v[3];
-    sw::Material material;
+/// What the lab's room (scenes/cornell.nff) consists of, for scenes that are not ours.
+struct Room {
+    std::vector<sw::Sphere> spheres;
+    std::vector<sw::Triangle> triangles;
+    sw::Vec3 light;
 };
 
-struct RoomSphere {
-    sw::Vec3 center;
-    sw::Material material;
-};
-
-constexpr float roomSphereRadius = 3;
-const sw::Vec3 roomLight(0, 30, -5);
-
-std::vector<RoomTriangle> roomTriangles();
-std::vector<RoomSphere> roomSpheres();
+/// @throws sw::NffError
+Room loadRoom();
 
 }  // namespace bench

@@ -3,7 +3,9 @@
 #include <cfloat>
 #include <cmath>
 
-#include "tools/bench/room.h"
+#include "swMaterial.h"
+#include "swSampling.h"
+#include "tools/bench/picture.h"
 
 /// Ray tracing as on the slides, in float and with an epsilon: what we are compared with.
 namespace bench::textbook {
@@ -63,5 +65,22 @@ public:
 private:
     float scale, middle;
 };
+
+/// The lab's picture, with a jittered grid of samples in every pixel.
+/// @param trace  called as trace(ray): the colour that comes back along it
+template <typename Trace>
+Radiance pictureOf(int size, const Trace& trace) {
+    return [trace, camera = Camera(size)](int x, int y) {
+        constexpr float n = labSamples;
+        Vec3 sum;
+        for (float j = 0; j < n; ++j) {
+            for (float i = 0; i < n; ++i) {
+                const float dx = (i + sw::uniform()) / n, dy = (j + sw::uniform()) / n;
+                sum += trace(camera.getRay(static_cast<float>(x) + dx, static_cast<float>(y) + dy));
+            }
+        }
+        return sum * (1 / (n * n));
+    };
+}
 
 }  // namespace bench::textbook

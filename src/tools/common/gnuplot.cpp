@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "nff/plainText.h"
+
 namespace report {
 namespace {
 
@@ -44,6 +46,18 @@ bool draw(const std::string& terminal, const std::filesystem::path& file,
 }
 
 }  // namespace
+
+std::string plotCommands(const std::vector<Curve>& curves) {
+    auto data = sw::plainStream(), plot = sw::plainStream();
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        data << "$curve" << k << " << EOD\n";
+        for (const Point& point : curves[k].points) data << point.x << " " << point.y << "\n";
+        data << "EOD\n";
+        plot << (k == 0 ? "plot " : ", ") << "$curve" << k << " using 1:2 with " << curves[k].style
+             << " title " << quoted(curves[k].title);
+    }
+    return data.str() + plot.str() + "\n";
+}
 
 std::string drawWithGnuplot(const std::string& script, const std::filesystem::path& name, int width,
                             int height) {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace bench {
+namespace report {
 
 template <typename Work>
 double secondsOf(const Work& work) {
@@ -34,7 +34,7 @@ inline double median(std::vector<double> values) {
 /// all of them alike.
 class Times {
 public:
-    /// @param contestants  each returns the seconds that it took
+    /// @param contestants  each returns the time that it took, in any unit
     Times(int repetitions, const std::vector<std::function<double()>>& contestants)
         : times(contestants.size()) {
         for (int i = 0; i < repetitions; ++i)
@@ -57,4 +57,4 @@ private:
     std::vector<std::vector<double>> times;
 };
 
-}  // namespace bench
+}  // namespace report

@@ -1,11 +1,27 @@
 #include "tools/common/table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+
 #include "nff/plainText.h"
 #include "tools/common/html.h"
 
-#include <algorithm>
-#include <iomanip>
-
 namespace report {
+
+std::string rounded(double value, int digits) {
+    if (std::isnan(value)) return "-";
+    auto text = sw::plainStream();
+    text << std::setprecision(digits) << value;
+    return text.str();
+}
+
+std::string fixed(double value, int decimals) {
+    if (std::isnan(value)) return "-";
+    auto text = sw::plainStream();
+    text << std::fixed << std::setprecision(decimals) << value;
+    return text.str();
+}
 
 std::string table(const std::vector<Row>& rows, std::size_t wordColumns) {
     auto text = sw::plainStream();
@@ -37,6 +53,15 @@ std::string htmlTable(const std::vector<Row>& rows, std::size_t wordColumns) {
         page += "</tr>\n";
     }
     return page + "</table></div>\n";
+}
+
+std::string csv(const std::vector<Row>& rows) {
+    std::string text;
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + row[i];
+        text += '\n';
+    }
+    return text;
 }
 
 }  // namespace report

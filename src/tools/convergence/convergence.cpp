@@ -10,6 +10,7 @@
 #include "app/scenePath.h"
 #include "swFile.h"
 #include "tools/common/machine.h"
+#include "tools/common/tool.h"
 #include "tools/convergence/convergencePage.h"
 #include "tools/convergence/convergencePlot.h"
 #include "tools/convergence/convergenceTables.h"
@@ -78,17 +79,14 @@ std::string drawPlots(const std::vector<Study>& studies, const Study& all, const
 void run(const ConvergenceOptions& options) {
     const auto scenes = options.scenes.empty() ? shippedScenes() : options.scenes;
     requireDifferentNames(scenes);
-    std::error_code error;
-    fs::create_directories(options.output, error);  // requireWritable says what went wrong
-    const fs::path csv = options.output / "convergence.csv", page = options.output / "index.html";
-    sw::requireWritable(csv);
+    const fs::path csv = outputFile(options.output, "convergence.csv");
+    const fs::path page = options.output / "index.html";
 
     const std::vector<Study> studies = studyAll(scenes, effortFor(options));
     const Study all = overview(studies);
     sw::writeFile(csv, toCsv(studies));
     std::vector<std::string> remarks{machine()};
-    if (options.quick)
-        remarks.push_back("--quick: only shows that it runs; the figures mean nothing");
+    if (options.quick) remarks.push_back(quickRemark);
     const std::string drawn = drawPlots(studies, all, options.output);
     if (drawn.starts_with("no plot")) remarks.push_back(drawn + "; the tables have the numbers");
     sw::writeFile(page, convergencePage(studies, all, options.output, remarks));

@@ -1,8 +1,6 @@
 #include "tools/convergence/convergencePlot.h"
-#include "nff/plainText.h"
 
 #include <cmath>
-#include <iomanip>
 
 #include "tools/common/gnuplot.h"
 
@@ -13,27 +11,24 @@ std::filesystem::path plotName(const Study& study, Cost cost) {
 }
 
 std::string plotCurves(const Study& study, Cost cost, const std::filesystem::path& folder) {
-    auto data = sw::plainStream(), command = sw::plainStream();
-    command << std::fixed << std::setprecision(2);
-    int k = 0;  // colour 5 is a yellow too pale for white
+    std::vector<Curve> curves;
     for (const std::string& method : methodsOf(study)) {
-        const std::string block = "$curve" + std::to_string(k++);
-        data << block << " << EOD\n";
-        for (const Point& point : curve(study, method, cost))
-            if (point.y > 0) data << point.x << " " << point.y << "\n";
-        data << "EOD\n";
-        command << (k == 1 ? "plot " : ", ") << block << " using 1:2 with linespoints lw 1.5 pt "
-                << 3 + 2 * k << " ps 0.6 lc " << (k == 5 ? 7 : k) << " title \"" << method;
+        Curve shown{method, "", {}};
         const double exponent = slope(study, method, cost).exponent;
-        if (!std::isnan(exponent)) command << ", slope " << exponent;
-        command << "\"";
+        if (!std::isnan(exponent)) shown.title += ", slope " + fixed(exponent, 2);
+        const std::size_t k = curves.size() + 1;
+        shown.style = "linespoints lw 1.5 pt " + std::to_string(3 + 2 * k) + " ps 0.6 lc " +
+                      std::to_string(k == 5 ? 7 : k);  // colour 5 is a yellow too pale for white
+        for (const Point& point : curve(study, method, cost))
+            if (point.y > 0) shown.points.push_back(point);
+        curves.push_back(shown);
     }
-    auto script = sw::plainStream();
-    script << "set logscale xy\nset format '%g'\nset grid\nset key below vertical maxrows 3 Left "
-              "reverse\nset ylabel 'RMSE, linear radiance'\nset xlabel '"
-           << (cost == Cost::seconds ? "seconds" : "samples per pixel") << "'\n"
-           << data.str() << command.str() << "\n";
-    return drawWithGnuplot(script.str(), folder / plotName(study, cost), 520, 440);
+    const std::string settings =
+        "set logscale xy\nset format '%g'\nset grid\nset key below vertical maxrows 3 Left "
+        "reverse\nset ylabel 'RMSE, linear radiance'\nset xlabel '" +
+        std::string(cost == Cost::seconds ? "seconds" : "samples per pixel") + "'\n";
+    return drawWithGnuplot(settings + plotCommands(curves), folder / plotName(study, cost), 520,
+                           440);
 }
 
 }  // namespace report

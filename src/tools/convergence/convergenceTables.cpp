@@ -1,27 +1,10 @@
 #include "tools/convergence/convergenceTables.h"
-#include "nff/plainText.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 
 namespace report {
 namespace {
-
-// A dash for what is not known.
-std::string rounded(double value, int digits) {
-    if (std::isnan(value)) return "-";
-    auto text = sw::plainStream();
-    text << std::setprecision(digits) << value;
-    return text.str();
-}
-
-std::string fixed(double value, int decimals) {
-    if (std::isnan(value)) return "-";
-    auto text = sw::plainStream();
-    text << std::fixed << std::setprecision(decimals) << value;
-    return text.str();
-}
 
 const Measurement* find(const Study& study, const std::string& method, const std::string& setting) {
     for (const Measurement& m : study.measurements)
@@ -92,20 +75,16 @@ Study overview(const std::vector<Study>& studies) {
 }
 
 std::string toCsv(const std::vector<Study>& studies) {
-    auto csv = sw::plainStream();
-    csv << "scene,method,setting,spp,rays,seconds,rmse,psnr_db,largest_error,visible_share,"
-           "estimated_rmse\n";
-    for (const Study& study : studies) {
-        for (const Measurement& m : study.measurements) {
-            csv << study.scene << "," << m.method << "," << m.setting << "," << m.samples << ","
-                << std::setprecision(12) << m.rays << std::setprecision(6) << "," << m.seconds
-                << "," << m.error.rmse << "," << m.error.psnr << "," << m.error.largest << ","
-                << m.error.visible << ",";
-            if (!std::isnan(m.estimatedRmse)) csv << m.estimatedRmse;
-            csv << "\n";
-        }
-    }
-    return csv.str();
+    std::vector<Row> rows{{"scene", "method", "setting", "spp", "rays", "seconds", "rmse",
+                           "psnr_db", "largest_error", "visible_share", "estimated_rmse"}};
+    for (const Study& study : studies)
+        for (const Measurement& m : study.measurements)
+            rows.push_back({study.scene, m.method, m.setting, rounded(m.samples, 6),
+                            rounded(m.rays, 12), rounded(m.seconds, 6), rounded(m.error.rmse, 6),
+                            rounded(m.error.psnr, 6), rounded(m.error.largest, 6),
+                            rounded(m.error.visible, 6),
+                            std::isnan(m.estimatedRmse) ? "" : rounded(m.estimatedRmse, 6)});
+    return csv(rows);
 }
 
 std::vector<Row> measurementRows(const Study& study) {

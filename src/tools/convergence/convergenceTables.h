@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/common/powerLaw.h"
 #include "tools/common/table.h"
-#include "tools/convergence/powerLaw.h"
 #include "tools/convergence/study.h"
 
 namespace report {

@@ -1,5 +1,4 @@
 #include "tools/convergence/study.h"
-#include "nff/plainText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "swSamplePattern.h"
 #include "tools/common/mainFunctions.h"
 #include "tools/common/measure.h"
+#include "tools/common/table.h"
 
 namespace report {
 namespace {
@@ -87,12 +87,6 @@ struct Method {
     std::function<sw::RenderResult(std::uint64_t seed)> draw;
 };
 
-std::string shortest(float value) {
-    auto text = sw::plainStream();
-    text << value;
-    return text.str();
-}
-
 std::vector<Method> methodsFor(const Subject& subject, const StudyEffort& effort) {
     std::vector<Method> methods;
     const int pictured = std::min(3, effort.largestGrid);
@@ -106,8 +100,9 @@ std::vector<Method> methodsFor(const Subject& subject, const StudyEffort& effort
     }
     for (std::size_t i = 0; i < effort.tolerances.size(); ++i) {
         const float tolerance = effort.tolerances[i];
-        methods.push_back({"adaptive", shortest(tolerance), i == effort.tolerances.size() / 2,
-                           false, [&subject, tolerance](std::uint64_t seed) {
+        methods.push_back({"adaptive", rounded(static_cast<double>(tolerance), 6),
+                           i == effort.tolerances.size() / 2, false,
+                           [&subject, tolerance](std::uint64_t seed) {
                                return subject.adaptively(tolerance, seed);
                            }});
     }
@@ -134,7 +129,7 @@ public:
         Measurement all = result;
         all.method = method.name;
         all.setting = method.setting;
-        all.seconds = bench::median(seconds);
+        all.seconds = median(seconds);
         all.error.rmse = std::sqrt(squares / n);
         all.error.psnr = -20 * std::log10(all.error.rmse);
         all.error.visible = visible / n;

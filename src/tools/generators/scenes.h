@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "tools/common/mount.h"
+
 /// Scenes that grow with a size, in Neutral File Format (swNff.h): the constructions of Eric
 /// Haines' Standard Procedural Databases (A Proposal for Standard Graphics Environments, IEEE
 /// Computer Graphics and Applications 7(11), 1987). The same text for the same size, always.
@@ -21,9 +23,6 @@ std::string balls(int size);
 
 /// A tetrahedron of tetrahedra of tetrahedra: 4^size equilateral triangles in the cube -1..1.
 std::string tetra(int size);
-
-/// A fractal mountain of 2 * 4^size triangles under four spheres of glass.
-std::string mount(int size);
 
 constexpr Generator generators[] = {
     {"balls", "sphereflake: reflection", 0, 6, 4, balls},

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "tools/generators/nffText.h"
+#include "tools/common/nffText.h"
 #include "tools/generators/scenes.h"
 
 namespace scenes {

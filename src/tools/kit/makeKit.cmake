@@ -15,7 +15,7 @@ set(contents
   src/nff/nff*.h src/nff/nffShapes.cpp src/nff/nffSpheres.cpp src/nff/nffTokens.cpp
   src/nff/nffView.cpp src/nff/plainText.* src/nff/swNff.cpp
   src/rayTree/*
-  src/sampling/swErrorEstimate.cpp
+  src/sampling/splitMix64.h src/sampling/swErrorEstimate.cpp
   src/tools/CMakeLists.txt src/tools/common/html.* src/tools/common/mainFunctions.*
   tests/CMakeLists.txt tests/catch.h tests/files.h tests/main.cpp tests/support.*
   tests/cameraTest.cpp tests/samplingTest.cpp tests/sphereTest.cpp tests/vec3Test.cpp

@@ -9,10 +9,11 @@
 
 #include "swFile.h"
 #include "tools/common/machine.h"
+#include "tools/common/measure.h"
+#include "tools/common/tool.h"
 #include "tools/stability/cases.h"
 #include "tools/stability/methods.h"
 #include "tools/stability/stabilityOutput.h"
-#include "tools/stability/timing.h"
 
 namespace report {
 namespace {
@@ -67,17 +68,39 @@ Score combine(const std::vector<Score>& families) {
     return all;
 }
 
+using Primitives = std::vector<std::unique_ptr<sw::Primitive>>;
+
+// What is computed ends here, so that no compiler may leave it out.
+volatile float sink;
+
+// Primitive i meets ray i.
+double nanosecondsPerCall(const Primitives& primitives, const std::vector<sw::Ray>& rays) {
+    sw::Intersection hit;
+    float sum = 0;
+    const double seconds = secondsOf([&] {
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            if (primitives[i]->intersect(rays[i], hit)) sum += hit.hitT;
+    });
+    sink = sum;
+    return 1e9 * seconds / static_cast<double>(rays.size());
+}
+
+// Times Primitive::intersect of all methods on the same rays. As Google Benchmark with interleaved
+// repetitions does: each turn takes about a millisecond.
 template <typename Shape>
-std::vector<Timing> timeAll(const std::vector<Method<Shape>>& methods, const Family<Shape>& family,
-                            const Effort& effort) {
+Times timeAll(const std::vector<Method<Shape>>& methods, const Family<Shape>& family,
+              const Effort& effort) {
     const auto count = std::min(family.cases.size(), static_cast<std::size_t>(effort.timedCases));
     std::vector<sw::Ray> rays;
-    std::vector<Primitives> primitives(methods.size());
     for (std::size_t i = 0; i < count; ++i) rays.push_back(family.cases[i].ray);
-    for (std::size_t k = 0; k < methods.size(); ++k)
+    std::vector<Primitives> primitives(methods.size());
+    std::vector<std::function<double()>> contestants;
+    for (std::size_t k = 0; k < methods.size(); ++k) {
         for (std::size_t i = 0; i < count; ++i)
             primitives[k].push_back(methods[k].make(family.cases[i].shape));
-    return timeMethods(primitives, rays, effort.repetitions);
+        contestants.emplace_back([&, k] { return nanosecondsPerCall(primitives[k], rays); });
+    }
+    return Times(effort.repetitions, contestants);
 }
 
 template <typename Shape>
@@ -85,11 +108,10 @@ std::vector<MethodResult> examine(const std::string& shape,
                                   const std::vector<Method<Shape>>& methods,
                                   const std::vector<Family<Shape>>& families,
                                   const Effort& effort) {
-    const std::vector<Timing> timings = timeAll(methods, families[0], effort);
+    const Times times = timeAll(methods, families[0], effort);
     std::vector<MethodResult> results;
     for (std::size_t k = 0; k < methods.size(); ++k) {
-        MethodResult result{
-            shape, methods[k].name, timings[k].nanoseconds, timings[k].ratio, {}, {}, {}};
+        MethodResult result{shape, methods[k].name, times.of(k), times.ratio(k, 0), {}, {}, {}};
         for (const auto& family : families) result.families.push_back(score(methods[k], family));
         result.overall = combine(result.families);
         results.push_back(std::move(result));
@@ -112,10 +134,7 @@ double leaksPerMillion(const Method<sw::Triangle>& method, int rays) {
 
 void run(const StabilityOptions& options) {
     const Effort& effort = options.quick ? quickLook : full;
-    std::error_code error;
-    fs::create_directories(options.output, error);  // requireWritable says what went wrong
-    const fs::path csv = options.output / "stability.csv";
-    sw::requireWritable(csv);
+    const fs::path csv = outputFile(options.output, "stability.csv");
 
     std::vector<MethodResult> results =
         examine("sphere", sphereMethods(), sphereFamilies(effort.cases), effort);

@@ -1,4 +1,4 @@
-#include "tools/convergence/powerLaw.h"
+#include "tools/common/powerLaw.h"
 
 #include <cmath>
 #include <limits>

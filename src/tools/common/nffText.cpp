@@ -1,4 +1,4 @@
-#include "tools/generators/nffText.h"
+#include "tools/common/nffText.h"
 
 #include <charconv>
 

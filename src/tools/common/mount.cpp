@@ -1,9 +1,10 @@
+#include "tools/common/mount.h"
+
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include "tools/generators/nffText.h"
-#include "tools/generators/scenes.h"
+#include "tools/common/nffText.h"
 
 namespace scenes {
 namespace {
