@@ -26,7 +26,7 @@ set(contents
 set(left_out
   include/swAdaptive.h include/swBvh*.h include/swCone.h include/swCorners.h include/swMetrics.h
   include/swPatch.h include/swSamplePattern.h
-  src/app/sampling.cpp src/app/samplingOptions.cpp src/swCone.cpp src/swPatch.cpp
+  src/app/install.cmake src/app/sampling.cpp src/app/samplingOptions.cpp src/swCone.cpp src/swPatch.cpp
   tests/lab/report/*Test.cpp tests/lab/report/labBuild.h)
 
 function(listed result patterns)

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/stability/stability.h"
+#include "tools/stability/results.h"
 
 namespace report {
 

@@ -1,15 +1,19 @@
 # The students' kit: `cmake --build build --target student-kit`. See makeKit.cmake.
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
+set(kit_source ${CMAKE_CURRENT_LIST_DIR})
 
 # The starter files compile where they stand. Their swScene.h comes first, and by its guard keeps
 # out the one that other public headers find beside themselves.
-file(GLOB_RECURSE starters CONFIGURE_DEPENDS starter/*.cpp)
+file(GLOB_RECURSE starters CONFIGURE_DEPENDS ${kit_source}/starter/*.cpp)
 add_library(swtracer_starter OBJECT ${starters})
 set_source_files_properties(${starters} PROPERTIES COMPILE_OPTIONS "${student_options}")
 target_compile_options(swtracer_starter PRIVATE
-  $<$<CXX_COMPILER_ID:MSVC>:/FI${CMAKE_CURRENT_SOURCE_DIR}/starter/include/swScene.h>
-  $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-include;${CMAKE_CURRENT_SOURCE_DIR}/starter/include/swScene.h>)
+  $<$<CXX_COMPILER_ID:MSVC>:/FI${kit_source}/starter/include/swScene.h>
+  $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-include;${kit_source}/starter/include/swScene.h>)
 target_include_directories(swtracer_starter PRIVATE
-  starter ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+  ${kit_source}/starter ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
 target_compile_features(swtracer_starter PRIVATE cxx_std_20)
 target_link_libraries(swtracer_starter PRIVATE
   swtracer_glm swtracer_warnings swtracer_exact_arithmetic)
@@ -18,7 +22,7 @@ set(kit ${PROJECT_BINARY_DIR}/student-kit)
 add_custom_target(student-kit
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${kit} ${kit}.zip
   COMMAND ${CMAKE_COMMAND} -D PROJECT=${PROJECT_SOURCE_DIR} -D KIT=${kit}
-    -P ${CMAKE_CURRENT_SOURCE_DIR}/makeKit.cmake
+    -P ${kit_source}/makeKit.cmake
   COMMAND ${CMAKE_COMMAND} -E chdir ${PROJECT_BINARY_DIR}
     ${CMAKE_COMMAND} -E tar cf student-kit.zip --format=zip student-kit
   COMMENT "Making build/student-kit and build/student-kit.zip" VERBATIM)
