@@ -20,6 +20,12 @@ inline Vec3 toFloat(const glm::dvec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// v scaled to unit length; `fallback` if v has no direction.
+inline glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& fallback) {
+    const double length = glm::length(v);
+    return length > 0 && length < HUGE_VAL ? v / length : fallback;
+}
+
 /// The largest component's magnitude.
 inline float maxAbs(const Vec3& v) {
     const float x = std::fabs(v.m[0]), y = std::fabs(v.m[1]), z = std::fabs(v.m[2]);

@@ -17,11 +17,6 @@ dvec3 load(const double (&source)[3]) {
     return {source[0], source[1], source[2]};
 }
 
-dvec3 unitOr(const dvec3& v, const dvec3& fallback) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : fallback;
-}
-
 // The coordinate axis most nearly at right angles to v.
 dvec3 leastAlignedAxis(const dvec3& v) {
     const dvec3 a = abs(v);
@@ -41,8 +36,8 @@ dvec3 rightOf(const dvec3& view, const dvec3& up) {
 
 Camera::Camera(const Vec3& origin, const Vec3& lookAt, const Vec3& up, float fov, float aspect)
     : origin(origin), halfHeight(std::tan(fov * (std::acos(-1.0) / 360))), columns(aspect) {
-    const dvec3 view = unitOr(num::toDouble(lookAt) - num::toDouble(origin), {0, 0, -1});
-    const dvec3 right = rightOf(view, unitOr(num::toDouble(up), {0, 0, 0}));
+    const dvec3 view = num::unitOr(num::toDouble(lookAt) - num::toDouble(origin), {0, 0, -1});
+    const dvec3 right = rightOf(view, num::unitOr(num::toDouble(up), {0, 0, 0}));
     store(forward, view);
     store(rightward, right);
     store(upward, cross(right, view));

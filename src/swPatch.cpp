@@ -19,10 +19,8 @@ bool isUnit(const dvec3& n) {
 }
 
 // n scaled to unit length; `fallback` if n has no direction.
-Vec3 unitOr(const dvec3& n, const Vec3& fallback) {
-    if (isUnit(n)) return num::toFloat(n);
-    const double length = std::sqrt(dot(n, n));
-    return length > 0 && length < HUGE_VAL ? num::toFloat(n / length) : fallback;
+Vec3 normalOr(const dvec3& n, const Vec3& fallback) {
+    return num::toFloat(isUnit(n) ? n : num::unitOr(n, num::toDouble(fallback)));
 }
 
 // The point v0 + v (v1 - v0) + w (v2 - v0) of a triangle.
@@ -44,8 +42,8 @@ Barycentric barycentric(const Triangle& triangle, const Vec3& point) {
 
 Patch::Patch(const Vec3* v, const Vec3* n, const Material& material)
     : Primitive(material), triangle(v, material) {
-    const Vec3 own = unitOr(cross(side(triangle, 1), side(triangle, 2)), Vec3());
-    for (int i = 0; i < 3; ++i) normals[i] = unitOr(num::toDouble(n[i]), own);
+    const Vec3 own = normalOr(cross(side(triangle, 1), side(triangle, 2)), Vec3());
+    for (int i = 0; i < 3; ++i) normals[i] = normalOr(num::toDouble(n[i]), own);
 }
 
 bool Patch::intersect(const Ray& ray, Intersection& hit) const {
@@ -57,7 +55,7 @@ bool Patch::intersect(const Ray& ray, Intersection& hit) const {
     const dvec3 n0 = num::toDouble(normals[0]);
     const dvec3 outward =
         n0 + v * (num::toDouble(normals[1]) - n0) + w * (num::toDouble(normals[2]) - n0);
-    hit.setFace(unitOr(outward, Vec3()), hit.frontFacing);
+    hit.setFace(normalOr(outward, Vec3()), hit.frontFacing);
     const dvec3 shading = num::toDouble(hit.normal);
     const bool isAbove = dot(shading, num::toDouble(hit.geometricNormal)) > 0;
     const bool facesRay = dot(shading, num::toDouble(ray.dir)) < 0;

@@ -197,14 +197,14 @@ TEST_CASE("a closed ball of patches keeps its light inside") {
     static const Scene ball = roundBall(1, {0, 0, 0}, 1, glass);
     Random random(seed);
     const Vec3 from = 5 * random.direction(), to = random.direction() * random.real(0, 0.95);
-    const Vec3 lamp = random.direction() * random.real(0, 0.7);
+    const Vec3 light = random.direction() * random.real(0, 0.7);
     Intersection hit, blocker;
     if (!ball.intersect(Ray(from, to - from), hit)) return;
     CHECK(hit.frontFacing);
-    CHECK(ball.intersect(hit.getShadowRay(lamp), blocker, true));
-    REQUIRE(ball.intersect(Ray(lamp, to - lamp), hit));
+    CHECK(ball.intersect(hit.getShadowRay(light), blocker, true));
+    REQUIRE(ball.intersect(Ray(light, to - light), hit));
     CHECK_FALSE(hit.frontFacing);
-    CHECK_FALSE(ball.intersect(hit.getShadowRay(lamp), blocker, true));
+    CHECK_FALSE(ball.intersect(hit.getShadowRay(light), blocker, true));
     CHECK(ball.intersect(hit.getReflectedRay(), blocker));
     CHECK(ball.intersect(hit.getShadowRay(from), blocker, true));
 }

@@ -167,21 +167,21 @@ TEST_CASE("every query counts as one ray of its kind") {
 TEST_CASE("a shadow ray ends at the light") {
     Random random(GENERATE(range(0u, 300u)));
     const float scale = random.magnitude(1e-6, 1e6);
-    const Vec3 lamp = Vec3(random.real(-3, 3), random.real(-3, 3), random.real(1, 9)) * scale;
+    const Vec3 light = Vec3(random.real(-3, 3), random.real(-3, 3), random.real(1, 9)) * scale;
     const Vec3 floor[] = {Vec3(-9, -9, 0) * scale, Vec3(9, -9, 0) * scale, Vec3(0, 9, 0) * scale};
     Scene open;
     open.push(Triangle(floor, number(1)));
     Intersection hit, blocker;
     REQUIRE(open.intersect(
         Ray(Vec3(random.real(-1, 1), random.real(-1, 1), 1) * scale, Vec3(0, 0, -1)), hit));
-    const Ray shadowRay = hit.getShadowRay(lamp);
-    CAPTURE(scale, lamp, hit.position);
+    const Ray shadowRay = hit.getShadowRay(light);
+    CAPTURE(scale, light, hit.position);
     CHECK_FALSE(open.intersect(shadowRay, blocker, true));
 
     // A sphere on the line to the light, so that its near side is at that fraction of the way.
     const auto sphereAt = [&](float fraction) {
         Scene scene = open;
-        const Vec3 way = lamp - hit.position;
+        const Vec3 way = light - hit.position;
         const float radius = 0.02f * way.norm();
         scene.push(Sphere(hit.position + way * (fraction + 0.02f), radius, number(2)));
         return scene;
@@ -192,6 +192,6 @@ TEST_CASE("a shadow ray ends at the light") {
     CHECK_FALSE(sphereAt(1.5f).intersect(shadowRay, blocker, true));
 
     Scene lampInCeiling = open;
-    lampInCeiling.push(std::make_shared<Plane>(lamp[2], number(3)));
+    lampInCeiling.push(std::make_shared<Plane>(light[2], number(3)));
     CHECK_FALSE(lampInCeiling.intersect(shadowRay, blocker, true));
 }

@@ -62,9 +62,9 @@ TEST_CASE("scattered light follows Lambert's cosine") {
     for (int i = 0; i < 50; ++i) {
         const double angle = degrees * pi / 180, around = random.uniform(0, 2 * pi);
         const double far = random.magnitude(0.1, 1000);  // no fall-off
-        const dvec3 lamp = far * dvec3(std::sin(angle) * std::cos(around),
-                                       std::sin(angle) * std::sin(around), std::cos(angle));
-        const Scene scene = litFloor(white, Light(num::toFloat(lamp)));
+        const dvec3 light = far * dvec3(std::sin(angle) * std::cos(around),
+                                        std::sin(angle) * std::sin(around), std::cos(angle));
+        const Scene scene = litFloor(white, Light(num::toFloat(light)));
         const Vec3 eye(random.real(-5, 5), random.real(-5, 5), random.real(1, 5));
         CAPTURE(degrees, around, far, eye);
         const Color color = lab::traceRay(Ray(eye, -eye), scene, 3);  // whoever looks at the origin
@@ -75,16 +75,16 @@ TEST_CASE("scattered light follows Lambert's cosine") {
 TEST_CASE("light behind the surface gives nothing") {
     const int degrees = GENERATE(90, 91, 120, 150, 180, 240, 270);
     const double angle = degrees * pi / 180;
-    const Vec3 lamp = degrees == 90 ? Vec3(5, 0, 0)
-                                    : Vec3(static_cast<float>(5 * std::sin(angle)), 0,
-                                           static_cast<float>(5 * std::cos(angle)));
+    const Vec3 light = degrees == 90 ? Vec3(5, 0, 0)
+                                     : Vec3(static_cast<float>(5 * std::sin(angle)), 0,
+                                            static_cast<float>(5 * std::cos(angle)));
     CAPTURE(degrees);
-    const auto solid = trace(slanted, litFloor(white, Light(lamp)), 3);
+    const auto solid = trace(slanted, litFloor(white, Light(light)), 3);
     CHECK(distance(solid.color, Vec3(0, 0, 0)) == 0);
     // Nor where the surface would let it pass: no term is negative.
     Scene ghostly;
     ghostly.push(std::make_shared<Ghost>(0.f, white));
-    ghostly.push(Light(lamp));
+    ghostly.push(Light(light));
     CHECK(distance(lab::traceRay(slanted, ghostly, 3), Vec3(0, 0, 0)) == 0);
 }
 

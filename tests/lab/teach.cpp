@@ -1,6 +1,7 @@
 #include "lab/teach.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -130,8 +131,9 @@ void fail(const Lesson& lesson) {
     record.got = lesson.got;
     record.expected = lesson.expected;
     record.hint = lesson.hint;
+    const std::string hint = lesson.hint.empty() ? "" : "\nhint: " + lesson.hint;
     FAIL("tried: " << lesson.tried << "\ngot: " << lesson.got << "\nexpected: " << lesson.expected
-                   << "\nhint: " << lesson.hint);
+                   << hint);
     std::abort();  // never reached: FAIL throws
 }
 
@@ -146,6 +148,22 @@ std::string text(const sw::Vec3& v) {
     all += text(v[0]);
     for (const int i : {1, 2}) all += ", " + text(v[i]);
     return all += ")";
+}
+
+std::string faultOf(const sw::Vec3& v) {
+    for (const float x : v.m)
+        if (std::isnan(x))
+            return "NaN, which is no number: it comes from 0 / 0, from the root of a negative "
+                   "number, or from calculating with another NaN";
+    for (const float x : v.m)
+        if (std::isinf(x)) return "infinite: it comes from a division by 0, or an overflow";
+    return "";
+}
+
+std::string faultOfColor(const sw::Color& color) {
+    for (const float x : color.m)
+        if (x < 0) return "negative: no light is less than none";
+    return faultOf(color);
 }
 
 void expectPicture(const std::string& name, const sw::Image& picture, int tolerance, int strays,

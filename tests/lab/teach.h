@@ -15,7 +15,9 @@ struct Lesson {
     std::string tried;     ///< what was asked of the student's code: "a ray that ..."
     std::string got;       ///< what came out
     std::string expected;  ///< what should have come out
-    std::string hint;      ///< towards the idea, not the code: one sentence about this mistake
+    /// Towards the idea, not the code: one sentence about this mistake. Empty unless what came out
+    /// is what that mistake yields: a wrong diagnosis is worse than none.
+    std::string hint;
 };
 
 /// Fails the running test case with this lesson.
@@ -24,6 +26,11 @@ struct Lesson {
 /// Numbers and vectors in a lesson, with few digits: "0.25", "(1, -0.5, 0)".
 std::string text(float number);
 std::string text(const sw::Vec3& v);
+
+/// What a value must never be: "NaN, which is no number: ...", likewise for infinite ones, and for
+/// colours negative ones. Empty where it is nothing of that kind.
+std::string faultOf(const sw::Vec3& v);
+std::string faultOfColor(const sw::Color& color);
 
 /// What there is to say where the pictures below differ.
 struct PictureLesson {

@@ -45,15 +45,15 @@ TEST_CASE("the dull column has eight flat sides, each turned a sixteenth further
 
 TEST_CASE("the lantern's light leaves its ball, passes between the posts and not through them") {
     const Scene scene = shipped("shadows");
-    const Vec3 lamp = scene.lights()[0].position;
+    const Vec3 light = scene.lights()[0].position;
     for (int post = 0; post < 12; ++post) {
         CAPTURE(post);
-        CHECK_FALSE(sees(scene, onGround(3, 30 * post), lamp));
-        CHECK(sees(scene, onGround(3, 30 * post + 15), lamp));
+        CHECK_FALSE(sees(scene, onGround(3, 30 * post), light));
+        CHECK(sees(scene, onGround(3, 30 * post + 15), light));
     }
-    const Intersection ball = seen(scene, Vec3(0, 7.5f, 10), lamp);
+    const Intersection ball = seen(scene, Vec3(0, 7.5f, 10), light);
     CHECK(ball.hitT > 1);
-    CHECK(sees(scene, ball.position, lamp));
+    CHECK(sees(scene, ball.position, light));
 }
 
 TEST_CASE("the two mirrors pass a ray to and fro") {

@@ -85,7 +85,7 @@ class Scene {
 public:
     Vec3 light;
 
-    explicit Scene(const Vec3& lamp) : light(lamp) {}
+    explicit Scene(const Vec3& light) : light(light) {}
     void push(std::shared_ptr<Primitive> primitive) { primitives.push_back(std::move(primitive)); }
 
     bool intersect(const Ray& ray, Hit& hit, bool any = false) const {

@@ -16,10 +16,6 @@ inline float length(const Vec3& v) {
     return std::sqrt(v * v);
 }
 
-inline bool counts(float t, const Ray& ray) {
-    return ray.minT < t && t < ray.maxT;
-}
-
 /// Fills the record of a hit at t.
 /// @param outward  the surface's normal, of any length
 inline void fill(Intersection& hit, const Ray& ray, float t, const Vec3& position,

@@ -77,10 +77,10 @@ public:
     bool intersect(const Ray& ray, Intersection& hit) const override {
         Roots roots;
         if (!solve(*this, ray, roots)) return false;
-        const bool front = counts(roots.entry, ray);
-        if (!front && !counts(roots.exit, ray)) return false;
+        const bool front = ray.contains(roots.entry);
+        if (!front && !ray.contains(roots.exit)) return false;
         const float t = front ? roots.entry : roots.exit;
-        const Vec3 position = ray.orig + t * ray.dir;
+        const Vec3 position = ray.at(t);
         fill(hit, ray, t, position, position - center, front, 2 * radius, material);
         return true;
     }

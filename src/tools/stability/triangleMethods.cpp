@@ -22,7 +22,7 @@ bool meetPlane(const Triangle& triangle, const Ray& ray, Found& found, Vec3& fro
     found.e2 = triangle.vertices[2] - v0;
     found.n = found.e1 % found.e2;
     found.t = found.n * (v0 - ray.orig) / (found.n * ray.dir);
-    if (!counts(found.t, ray)) return false;
+    if (!ray.contains(found.t)) return false;
     fromVertex0 = ray.orig + found.t * ray.dir - v0;
     return true;
 }
@@ -65,7 +65,7 @@ bool mollerTrumbore(const Triangle& triangle, const Ray& ray, Found& found) {
     const float w = ray.dir * q * inverse;
     if (!(w >= 0 && v + w <= 1)) return false;
     found.t = found.e2 * q * inverse;
-    if (!counts(found.t, ray)) return false;
+    if (!ray.contains(found.t)) return false;
     found.n = found.e1 % found.e2;
     return true;
 }
@@ -110,7 +110,7 @@ bool woop(const Triangle& triangle, const Ray& ray, Found& found) {
     const float determinant = u + v + w;
     if (determinant == 0) return false;
     found.t = sz * (u * a[kz] + v * b[kz] + w * c[kz]) / determinant;
-    if (!counts(found.t, ray)) return false;
+    if (!ray.contains(found.t)) return false;
     found.e1 = b - a;
     found.e2 = c - a;
     found.n = found.e1 % found.e2;
