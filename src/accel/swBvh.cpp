@@ -205,7 +205,8 @@ std::vector<Node> buildTree(SahSplitter& splitter, std::uint32_t leafSize, int t
 
 Bvh::Bvh(std::span<const Bounds> boxes, int leafSize, int threads) {
     if (leafSize < 1 || leafSize > 8) throw std::invalid_argument("Bvh: leaf size not in 1..8");
-    if (boxes.size() > 1u << BvhNode::sizeShift) throw std::length_error("Bvh: more than 2^28 boxes");
+    if (boxes.size() > 1u << BvhNode::sizeShift)
+        throw std::length_error("Bvh: more than 2^28 boxes");
     if (boxes.empty()) return;
     std::vector<Item> items = makeItems(boxes);
     SahSplitter splitter(items, static_cast<std::uint32_t>(leafSize));

@@ -143,6 +143,18 @@ std::string textOf(const PictureRecord& picture) {
            keyAndValue("picture-steps", picture.steps);
 }
 
+// Three lines, of which the last ones may be empty or missing.
+void readEnd(Record& record, const fs::path& file) {
+    std::error_code none;
+    if (record.verdict != Record::Verdict::unfinished || !fs::exists(file, none)) return;
+    const std::string text = sw::readFile(file);
+    const std::size_t first = std::min(text.find('\n'), text.size());
+    const std::size_t second = std::min(text.find('\n', first + 1), text.size());
+    record.end = text.substr(0, first);
+    if (first < text.size()) record.endDetail = text.substr(first + 1, second - first - 1);
+    if (second < text.size()) record.endFunction = text.substr(second + 1);
+}
+
 }  // namespace
 
 void write(const Record& record, const fs::path& folder) {
@@ -156,6 +168,10 @@ void write(const Record& record, const fs::path& folder) {
     sw::writeFile(folder / fileName(record), content + end);
 }
 
+fs::path endFile(const Record& record, const fs::path& folder) {
+    return (folder / fileName(record)).replace_extension(".end");
+}
+
 std::vector<Record> readAll(const fs::path& folder) {
     std::vector<Record> records;
     std::error_code none;
@@ -164,6 +180,7 @@ std::vector<Record> readAll(const fs::path& folder) {
         const auto lines = linesOf(entry.path(), recordStart);
         if (lines.empty()) continue;
         records.push_back(recordOf(lines));
+        readEnd(records.back(), endFile(records.back(), folder));
         records.back().when = fs::last_write_time(entry.path(), none);
     }
     std::sort(records.begin(), records.end(), [](const Record& a, const Record& b) {

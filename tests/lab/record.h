@@ -22,6 +22,9 @@ struct Record {
     std::string test;                                   ///< the test case's name
     Verdict verdict = Verdict::unfinished;
     std::string tried, got, expected, hint;  ///< of the check that failed; else empty
+    /// How an unfinished test ended, where that is known: "signal", "recursion", "exit" or "time";
+    /// more about it; and which function of the student's was running. readAll() fills these in.
+    std::string end, endDetail, endFunction;
     std::vector<PictureRecord> pictures;
     std::filesystem::file_time_type when{};  ///< it was written; readAll() fills this in
 };
@@ -30,6 +33,9 @@ struct Record {
 /// folder if there is none.
 /// @throws sw::FileError, std::filesystem::filesystem_error
 void write(const Record& record, const std::filesystem::path& folder);
+
+/// The file that says how a record's test ended suddenly, if it did.
+std::filesystem::path endFile(const Record& record, const std::filesystem::path& folder);
 
 /// All records of a folder, by task and then by name; files that are none are passed over.
 /// Empty if there is no such folder.

@@ -7,6 +7,8 @@
 
 #include "catch.h"
 #include "lab/record.h"
+#include "lab/report/makePage.h"
+#include "lab/suddenEnd.h"
 
 namespace {
 
@@ -86,6 +88,7 @@ public:
 
     void testRunStarting(const Catch::TestRunInfo& info) override {
         ListenerBase::testRunStarting(info);
+        lab::beforeSuddenEnd = makeReport;
         whateverHappens([] {
             std::vector<lab::Test> tests;
             forAllTestCases([&](const Catch::TestCaseInfo& test) {
@@ -103,13 +106,17 @@ public:
             lab::running().test = info.name;
             crashed = false;
             write();
+            if (lab::running().task > 0)
+                lab::expectSuddenEnd(lab::endFile(lab::running(), SW_LAB_RECORDS), patience());
         });
     }
 
     AssertionAnswer assertionEnded(const Catch::AssertionStats& stats) override {
         whateverHappens([&] {
             const Catch::AssertionResult& result = stats.assertionResult;
-            crashed |= result.getResultType() == Catch::ResultWas::FatalErrorCondition;
+            const bool signal = result.getResultType() == Catch::ResultWas::FatalErrorCondition;
+            if (signal && !crashed) lab::noteSignal(std::string(result.getMessage()).c_str());
+            crashed |= signal;
             if (!result.isOk() && !crashed) noteWithoutLesson(stats);
         });
         return AssertionAnswer();
@@ -119,6 +126,7 @@ public:
     void testCaseEnded(const Catch::TestCaseStats& stats) override {
         whateverHappens([&] {
             if (crashed) return;
+            lab::expectNoSuddenEnd();
             const bool passed = stats.totals.assertions.allOk();
             lab::running().verdict = passed ? Record::Verdict::passed : Record::Verdict::failed;
             write();
@@ -126,7 +134,24 @@ public:
         ListenerBase::testCaseEnded(stats);
     }
 
+    void testRunEnded(const Catch::TestRunStats& stats) override {
+        ListenerBase::testRunEnded(stats);
+        if (!crashed) makeReport();
+    }
+
 private:
+    // Where two tests of a task took too long already, the others are not worth waiting for.
+    static double patience() {
+        int tooLong = 0;
+        for (const Record& record : lab::readAll(SW_LAB_RECORDS))
+            tooLong += record.task == lab::running().task && record.end == "time";
+        return tooLong < 2 ? 10 : 1;
+    }
+
+    static void makeReport() {
+        whateverHappens([] { lab::makePage(SW_LAB_RECORDS, SW_LAB_TESTS, SW_LAB_PAGE); });
+    }
+
     static void write() {
         if (lab::running().task > 0) lab::write(lab::running(), SW_LAB_RECORDS);
     }

@@ -20,7 +20,11 @@ bool hasRun(const Outcome& outcome) {
 
 std::string verdict(const Outcome& outcome) {
     if (!hasRun(outcome)) return "not run";
-    return outcome.state == State::crashed ? "crashed" : "failed";
+    if (outcome.state != State::crashed) return "failed";
+    const std::string& end = outcome.record.end;
+    if (end == "recursion") return "endless recursion";
+    if (end == "time") return "took too long";
+    return end == "exit" ? "called exit()" : "crashed";
 }
 
 Json failures(const Task& task) {

@@ -61,12 +61,35 @@ TEST_CASE("all tasks passed is a reason to be glad", "[lab]") {
     CHECK(contains(build.page(), "All 6 tasks pass."));
 }
 
-TEST_CASE("a crash is explained", "[lab]") {
+TEST_CASE("the page tells how a test ended before its time", "[lab]") {
+    struct End {
+        std::string noted, told, verdict;
+    };
+    for (const End& end :
+         {End{"signal\nSIGFPE - Math error\ntraceRay()",
+              "The program crashed while traceRay() was running: SIGFPE - Math error", "crashed"},
+          End{"recursion\nSIGSEGV\n", "The stack is full: a function calls itself without end",
+              "endless recursion"},
+          End{"exit\n\nsamplePixel()", "The program called exit() while samplePixel() was running.",
+              "called exit()"},
+          End{"time\n\n", "This test was stopped as it took too long:", "took too long"},
+          End{"", "did not come to its end, and nothing is known about why", "crashed"}}) {
+        Build build;
+        const Record record = recordOf(4, "a mirror", Verdict::unfinished);
+        build.add(record);
+        if (!end.noted.empty()) makeFile(lab::endFile(record, build.records()), end.noted);
+        CAPTURE(end.noted);
+        CHECK(contains(build.page(), end.told));
+        CHECK(contains(build.grade(), "\"verdict\": \"" + end.verdict + "\""));
+    }
+}
+
+TEST_CASE("how an earlier run ended is forgotten", "[lab]") {
     Build build;
-    build.add(recordOf(4, "a mirror", Verdict::unfinished));
-    const std::string page = build.page();
-    CHECK(contains(page, "crashed or ran out of time"));
-    CHECK(contains(page, "recursion without end"));
+    Record record = recordOf(4, "a mirror", Verdict::passed);
+    build.add(record);
+    makeFile(lab::endFile(record, build.records()), "exit\n\n");
+    CHECK_FALSE(contains(build.page(), "exit()"));
 }
 
 TEST_CASE("a failed test's lesson stands on the page, whatever it holds", "[lab]") {
@@ -100,8 +123,7 @@ TEST_CASE("tests that would repeat a hint are folded behind the first", "[lab]")
     picture.hint = "same";
     build.add(picture);
     const std::string page = build.page();
-    const auto fold =
-        page.find("<details><summary>The same hint comes from 2 tests more</summary>");
+    const auto fold = page.find("<details><summary>2 tests more: the same</summary>");
     const auto foldEnd = page.find("</details>", fold);
     REQUIRE(foldEnd != std::string::npos);
     const auto place = [&](const std::string& name) {
@@ -112,7 +134,7 @@ TEST_CASE("tests that would repeat a hint are folded behind the first", "[lab]")
         CHECK((place(repeating) > fold && place(repeating) < foldEnd));
     CHECK((place("b") > foldEnd && place("b") < page.size()));
     CHECK((place("a picture") > foldEnd && place("a picture") < page.size()));
-    CHECK(count(page, "The same hint") == 1);
+    CHECK(count(page, "more: the same") == 1);
 }
 
 TEST_CASE("what is told of a passed test is folded away", "[lab]") {
@@ -173,7 +195,7 @@ TEST_CASE("results from before the last build are marked, and do not count", "[l
     CHECK(count(page, "passed 1 of 1 test (out of date)<") == 2);
     CHECK(count(page, "failed 1 of 1 test (out of date)<") == 2);
     CHECK(contains(page, "0 of 6 tasks pass."));
-    CHECK(contains(page, "ctest -L lab1-diffuse"));
+    CHECK(contains(page, "cmake --workflow --preset lab1"));
 }
 
 TEST_CASE("a test that is no more leaves no trace on the page", "[lab]") {

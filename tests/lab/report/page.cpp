@@ -10,9 +10,22 @@ namespace {
 using html::escaped;
 using State = Outcome::State;
 
-constexpr const char* afterCrash =
-    "This test crashed or ran out of time. The usual reason is a recursion without end: which "
-    "condition stops the function from calling itself?";
+// What is known about a test that did not come to its end.
+std::string endOf(const Record& record) {
+    const std::string during =
+        record.endFunction.empty() ? "" : " while " + record.endFunction + " was running";
+    if (record.end == "recursion")
+        return "The stack is full" + during +
+               ": a function calls itself without end. Which condition stops it?";
+    if (record.end == "time")
+        return "This test was stopped as it took too long" + during +
+               ": a loop without end, or code that is far too slow.";
+    if (record.end == "exit") return "The program called exit()" + during + ".";
+    if (record.end == "signal")
+        return "The program crashed" + during + ": " + record.endDetail +
+               ". Does an index or a pointer lead to nowhere?";
+    return "This test did not come to its end, and nothing is known about why.";
+}
 
 std::string element(const std::string& name, const std::string& cssClass, const std::string& html) {
     return "<" + name + (cssClass.empty() ? ">" : " class=\"" + cssClass + "\">") + html + "</" +
@@ -82,8 +95,9 @@ std::string failedTest(const Outcome& outcome, const std::filesystem::path& reco
     const Record& record = outcome.record;
     const bool crashed = outcome.state == State::crashed;
     const std::string facts = definition("Tried", record.tried) + definition("Got", record.got) +
-                              definition("Expected", record.expected);
-    const std::string hint = crashed ? afterCrash : record.hint;
+                              definition("Expected", record.expected) +
+                              definition("What happened", crashed ? endOf(record) : "");
+    const std::string& hint = record.hint;
     return element(
         "div", "test",
         "<h3><span class=\"failed\">&#10007;</span> " + escaped(record.test) + "</h3>\n" +
@@ -101,13 +115,20 @@ bool isFailed(const Outcome& outcome) {
     return outcome.state == State::failed || outcome.state == State::crashed;
 }
 
-// Whether an earlier test has the same hint. A test with pictures has more to say than that.
-bool onlyRepeats(const Outcome& outcome, const Outcome& earlier) {
-    return isFailed(outcome) && outcome.record.pictures.empty() && !outcome.record.hint.empty() &&
-           outcome.record.hint == earlier.record.hint;
+// What a test says beside its facts: the hint, or how it ended, or the exception that was thrown.
+std::string verdictOf(const Outcome& outcome) {
+    const Record& record = outcome.record;
+    if (outcome.state == State::crashed) return endOf(record);
+    return record.hint.empty() && record.expected.empty() ? record.got : record.hint;
 }
 
-// The first test with each hint in full, and those that would repeat the hint folded behind it.
+// Whether an earlier test says the same. A test with pictures has more to say than that.
+bool onlyRepeats(const Outcome& outcome, const Outcome& earlier) {
+    return isFailed(outcome) && outcome.record.pictures.empty() && !verdictOf(outcome).empty() &&
+           verdictOf(outcome) == verdictOf(earlier);
+}
+
+// The first test with each verdict in full, and those that would repeat it folded behind it.
 std::string failedTests(const Task& task, const std::filesystem::path& records) {
     std::string html;
     std::vector<bool> done(task.outcomes.size());
@@ -122,7 +143,7 @@ std::string failedTests(const Task& task, const std::filesystem::path& records) 
             others += failedTest(task.outcomes[k], records);
             ++count;
         }
-        html += folded("The same hint comes from " + tests(count) + " more", others);
+        html += folded(tests(count) + " more: the same", others);
     }
     return html;
 }
@@ -142,15 +163,15 @@ std::string namesOf(const Task& task, State state, const std::string& what) {
 std::string section(const Task& task, const std::filesystem::path& records) {
     std::string html = "<section id=\"" + anchor(task) + "\">\n" +
                        element("h2", "", heading(task)) + element("p", "verdict", verdict(task));
-    const std::string command = "<code>ctest -L " + escaped(task.label) + "</code>";
+    const std::string command =
+        "<code>cmake --workflow --preset lab" + std::to_string(task.number) + "</code>";
     if (task.outOfDate())
         html += element("p", "note",
                         "You have built the tests again since this run. For what your code does "
                         "now, run " +
                             command + " again.");
     else if (task.count(State::notRun) > 0)
-        html += element("p", "quiet",
-                        "To run these tests: " + command + " in the folder <code>build</code>.");
+        html += element("p", "quiet", "To run these tests: " + command);
     html += failedTests(task, records);
     for (const Outcome& outcome : task.outcomes)
         if (outcome.state == State::passed) html += picturesOf(outcome.record, records);
@@ -164,8 +185,8 @@ std::string page(const std::vector<Task>& tasks, const std::filesystem::path& re
                  const std::string& when) {
     std::string html = pageHead;
     html += element("p", "quiet",
-                    when.empty() ? "No test has run yet. Write some code, then run <code>ctest "
-                                   "-L lab</code> in the folder <code>build</code>."
+                    when.empty() ? "No test has run yet. Write some code, then run <code>cmake "
+                                   "--workflow --preset test</code>."
                                  : "Last test run: " + escaped(when));
     html += overview(tasks);
     for (const Task& task : tasks) html += section(task, records);

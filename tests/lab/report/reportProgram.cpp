@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
-#include <ctime>
 #include <filesystem>
-#include <iomanip>
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "lab/report/grade.h"
-#include "lab/report/page.h"
+#include "lab/report/makePage.h"
 #include "swFile.h"
 
 namespace lab {
@@ -22,25 +17,6 @@ namespace fs = std::filesystem;
 struct WrongUse : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-
-// When the last test ran, in local time; empty if none has.
-std::string lastRun(const std::vector<Task>& tasks) {
-    std::optional<fs::file_time_type> last;
-    for (const Task& task : tasks)
-        for (const Outcome& outcome : task.outcomes)
-            if (outcome.state != Outcome::State::notRun)
-                last = std::max(last.value_or(outcome.record.when), outcome.record.when);
-    if (!last) return "";
-    // Two clocks with a start of their own: what both know is how long ago it was.
-    using std::chrono::system_clock;
-    const auto ago = std::chrono::duration_cast<system_clock::duration>(
-        fs::file_time_type::clock::now() - *last);
-    const std::time_t time = system_clock::to_time_t(system_clock::now() - ago);
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::put_time(std::localtime(&time), "%d %B %Y, %H:%M:%S");
-    return text.str();
-}
 
 // Six whole numbers with commas between them.
 std::vector<int> pointsFrom(const std::string& text) {
@@ -62,13 +38,6 @@ std::vector<int> pointsFrom(const std::string& text) {
     return points;
 }
 
-void writePage(const std::vector<std::string>& arguments) {
-    const auto tasks = results(arguments[1], arguments[2]);
-    const fs::path file = fs::absolute(arguments[3]);
-    fs::create_directories(file.parent_path());
-    sw::writeFile(file, page(tasks, arguments[1], lastRun(tasks)));
-}
-
 void writeGrade(const std::vector<std::string>& arguments, std::ostream& out) {
     const std::string json = grade(results(arguments[1], arguments[2]), pointsFrom(arguments[4]));
     sw::writeFile(arguments[3], json);
@@ -80,7 +49,7 @@ void writeGrade(const std::vector<std::string>& arguments, std::ostream& out) {
 int reportProgram(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
     try {
         if (arguments.size() == 4 && arguments[0] == "page")
-            writePage(arguments);
+            makePage(arguments[1], arguments[2], arguments[3]);
         else if (arguments.size() == 5 && arguments[0] == "grade")
             writeGrade(arguments, out);
         else
