@@ -70,7 +70,7 @@ inline Vec3 operator-(const Vec3& u, const Vec3& v) {
     return {u.m[0] - v.m[0], u.m[1] - v.m[1], u.m[2] - v.m[2]};
 }
 
-/// Any number scales a vector: `v * 2`, `v * 0.5`, `0.5f * v`.
+/// Any number scales a vector: `v * 2`, `v * 0.5`, `0.5f * v`, `v / 3`.
 template <typename Number>
 requires std::is_arithmetic_v<Number> Vec3 operator*(const Vec3& v, Number s) {
     const float f = static_cast<float>(s);
@@ -80,6 +80,12 @@ requires std::is_arithmetic_v<Number> Vec3 operator*(const Vec3& v, Number s) {
 template <typename Number>
 requires std::is_arithmetic_v<Number> Vec3 operator*(Number s, const Vec3& v) {
     return v * s;
+}
+
+template <typename Number>
+requires std::is_arithmetic_v<Number> Vec3 operator/(const Vec3& v, Number s) {
+    const float f = static_cast<float>(s);
+    return {v.m[0] / f, v.m[1] / f, v.m[2] / f};
 }
 
 /// Dot product.

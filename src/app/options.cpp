@@ -69,7 +69,7 @@ void requireOneWay(const CLI::App& app, const Options& options) {
             app, "--pixel",
             {"--output", "--samples", "--sampler", "--adaptive", "--target-rmse", "--time-limit",
              "--corners", "--threads", "--crop", "--quiet", "--stats", "--error-image"});
-    checkSamplingOptions(app, options.sampling, options.samples);
+    checkExtraOptions(app, options.extra, options.samples);
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ Options parseOptions(int argc, const char* const* argv) {
     app.add_option("--samples", options.samples, "N for NxN samples per pixel; 1: its centre")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
-    addSamplingOptions(app, options.sampling);
+    addExtraOptions(app, options.extra);
     app.add_option("--depth", options.depth, "how often a ray may be reflected or refracted")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
@@ -103,7 +103,6 @@ Options parseOptions(int argc, const char* const* argv) {
         ->check(CLI::Range(0.1, 10.0))
         ->capture_default_str();
     app.add_flag("--quiet", options.quiet, "print nothing but errors");
-    app.add_option("--stats", options.stats, "JSON file for ray counts, times and error");
 
     try {
         app.parse(argc, argv);
@@ -111,7 +110,7 @@ Options parseOptions(int argc, const char* const* argv) {
         if (app.count("--crop") > 0) options.crop = readCrop(crop);
         if (app.count("--pixel") > 0) options.pixel = readPixel(pixel);
         requireOneWay(app, options);
-        if (options.sampling.corners) options.samples = 1;
+        if (options.extra.corners) options.samples = 1;
         if (!(options.gamma > 0)) throw UsageError("--gamma: expected a number, found NaN");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help, --version

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/samplingOptions.h"
+#include "app/extraOptions.h"
 #include "app/usage.h"
 #include "swRenderer.h"
 
@@ -19,15 +19,14 @@ struct Options {
     std::filesystem::path output = "out.png";
     int width = 0, height = 0;       ///< pixels; 0: the scene's own resolution
     int samples = 3;                 ///< per side of the grid in every pixel
-    SamplingOptions sampling;        ///< in other ways
     int depth = 3;                   ///< of the recursion: 0 traces primary rays alone
     int threads = 0;                 ///< 0: one per hardware thread
     std::uint64_t seed = 1;          ///< of the jitter
     std::optional<sw::Window> crop;  ///< render only this part of the picture
     std::optional<Pixel> pixel;      ///< print the rays behind it, and render nothing
     float gamma = 2.2f;              ///< of the PNG
-    bool quiet = false;              ///< neither progress nor summary
-    std::filesystem::path stats;     ///< JSON file for statistics; empty: none
+    bool quiet = false;              ///< neither progress nor summary nor warnings
+    ExtraOptions extra;
 };
 
 /// Reads the command line. --help and --version print on stdout and end the program.

@@ -4,9 +4,11 @@
 #include <iostream>
 #include <new>
 
+#include "app/extras.h"
+#include "app/pixelFaults.h"
 #include "app/pixelTree.h"
 #include "app/progressBar.h"
-#include "app/sampling.h"
+#include "app/stackGuard.h"
 #include "swFile.h"
 #include "swSampling.h"
 
@@ -15,7 +17,7 @@ using namespace sw;
 const NffScene& Run::loadScene() {
     file = loadNff(options.scene, options.pixel ? &shapes : nullptr);
     settleSize(options, file->width, file->height);
-    for (const auto& path : {options.output, options.stats, options.sampling.errorImage})
+    for (const auto& path : {options.output, options.extra.stats, options.extra.errorImage})
         if (!options.pixel && !path.empty()) requireWritable(path);
     if (!options.quiet) printWarnings(file->warnings);
     seconds.load = watch.lap();
@@ -37,15 +39,20 @@ void Run::render(const rayTree::Trace& traceRay,
         return;
     }
     const auto radiance = [&](float x, float y) {
+        stackGuard::watch(static_cast<int>(x), static_cast<int>(y));
         return traceRay(file->camera.getRay(x, y), file->scene, options.depth);
+    };
+    const auto pixel = [&](int x, int y) {
+        stackGuard::watch(x, y);
+        return samplePixel(x, y);
     };
     const RenderOptions how{.threads = options.threads,
                             .seed = options.seed,
                             .progress = makeProgressBar(options.quiet),
-                            .pattern = options.sampling.pattern,
+                            .pattern = options.extra.pattern,
                             .samples = options.samples};
     result = renderOtherwise(options, how, radiance);
-    if (!result) result = sw::render(*options.crop, samplePixel, how);
+    if (!result) result = sw::render(*options.crop, pixel, how);
     seconds.trace = watch.lap();
 }
 
@@ -55,11 +62,10 @@ void Run::write() {
         return;
     }
     writePng(result->image, options.output, options.gamma);
-    writeErrorImage(options.sampling, *result);
     seconds.write = watch.lap();
-
-    if (!options.stats.empty())
-        writeFile(options.stats, statsJson(options, *result, seconds, file->scene));
+    writeExtras(options, *result, seconds, file->scene);
+    if (!options.quiet)
+        printWarnings(describeFaults(result->image, options.crop->x0, options.crop->y0));
     if (!options.quiet) std::cout << summary(options, *result, seconds) << std::endl;
 }
 

@@ -6,7 +6,6 @@
 
 #include "app/options.h"
 #include "swRenderer.h"
-#include "swScene.h"
 
 /// Wall time of the steps of a run, in seconds.
 struct StepTimes {
@@ -30,6 +29,5 @@ void printWarnings(const std::vector<std::string>& warnings);
 /// One line: picture, size, samples, threads, wall time, rays, estimated error.
 std::string summary(const Options& options, const sw::RenderResult& result, const StepTimes& times);
 
-/// The same and more as JSON.
-std::string statsJson(const Options& options, const sw::RenderResult& result,
-                      const StepTimes& times, const sw::Scene& scene);
+/// Samples per pixel, on average.
+double samplesPerPixel(const sw::RenderResult& result);

@@ -3,7 +3,7 @@
 #include <concepts>
 
 #define main swtracerMain
-#include "main.cpp"
+#include SW_MAIN
 #undef main
 
 namespace {

@@ -8,7 +8,6 @@ set(kit_source ${CMAKE_CURRENT_LIST_DIR})
 # out the one that other public headers find beside themselves.
 file(GLOB_RECURSE starters CONFIGURE_DEPENDS ${kit_source}/starter/*.cpp)
 add_library(swtracer_starter OBJECT ${starters})
-set_source_files_properties(${starters} PROPERTIES COMPILE_OPTIONS "${student_options}")
 target_compile_options(swtracer_starter PRIVATE
   $<$<CXX_COMPILER_ID:MSVC>:/FI${kit_source}/starter/include/swScene.h>
   $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-include;${kit_source}/starter/include/swScene.h>)
@@ -16,7 +15,7 @@ target_include_directories(swtracer_starter PRIVATE
   ${kit_source}/starter ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
 target_compile_features(swtracer_starter PRIVATE cxx_std_20)
 target_link_libraries(swtracer_starter PRIVATE
-  swtracer_glm swtracer_warnings swtracer_exact_arithmetic)
+  swtracer_glm swtracer_warnings swtracer_student_warnings swtracer_exact_arithmetic)
 
 set(kit ${PROJECT_BINARY_DIR}/student-kit)
 add_custom_target(student-kit

@@ -16,7 +16,6 @@ set(contents
   src/nff/nffView.cpp src/nff/plainText.* src/nff/swNff.cpp
   src/rayTree/*
   src/sampling/splitMix64.h src/sampling/swErrorEstimate.cpp
-  src/tools/CMakeLists.txt src/tools/common/html.* src/tools/common/mainFunctions.*
   tests/CMakeLists.txt tests/catch.h tests/files.h tests/main.cpp tests/support.*
   tests/cameraTest.cpp tests/samplingTest.cpp tests/sphereTest.cpp tests/vec3Test.cpp
   tests/lab/CMakeLists.txt tests/lab/*.cpp tests/lab/*.h tests/lab/pictures/*
@@ -26,7 +25,8 @@ set(contents
 set(left_out
   include/swAdaptive.h include/swBvh*.h include/swCone.h include/swCorners.h include/swMetrics.h
   include/swPatch.h include/swSamplePattern.h
-  src/app/install.cmake src/app/sampling.cpp src/app/samplingOptions.cpp src/swCone.cpp src/swPatch.cpp
+  src/app/extraOptions.cpp src/app/extras.cpp src/app/install.cmake src/app/statistics.*
+  src/swCone.cpp src/swPatch.cpp
   tests/lab/report/*Test.cpp tests/lab/report/labBuild.h)
 
 function(listed result patterns)
@@ -47,6 +47,14 @@ listed(files "${contents}")
 listed(none "${left_out}")
 list(REMOVE_ITEM files ${none})
 copy(${PROJECT} ${files})
+
+# In the kit, only tests use these.
+listed(helpers "src/tools/CMakeLists.txt;src/tools/common/html.*;src/tools/common/mainFunctions.*")
+foreach(file ${helpers})
+  string(REGEX REPLACE "^src/" "tests/" place ${file})
+  cmake_path(GET place PARENT_PATH folder)
+  file(COPY ${PROJECT}/${file} DESTINATION ${KIT}/${folder})
+endforeach()
 
 set(own ${PROJECT}/src/tools/kit)
 file(GLOB_RECURSE starters RELATIVE ${own}/starter ${own}/starter/*)

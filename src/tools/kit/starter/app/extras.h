@@ -4,13 +4,16 @@
 #include <optional>
 
 #include "app/options.h"
+#include "app/report.h"
 #include "swRenderer.h"
+#include "swScene.h"
 
-// The lab has no way of taking samples other than samplePixel().
+// The program does nothing beyond the lab.
 
 inline std::optional<sw::RenderResult> renderOtherwise(
     const Options&, const sw::RenderOptions&, const std::function<sw::Color(float x, float y)>&) {
     return std::nullopt;
 }
 
-inline void writeErrorImage(const SamplingOptions&, const sw::RenderResult&) {}
+inline void writeExtras(const Options&, const sw::RenderResult&, const StepTimes&,
+                        const sw::Scene&) {}

@@ -1,4 +1,4 @@
-#include "app/samplingOptions.h"
+#include "app/extraOptions.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 using sw::SamplePattern;
 
-void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
+void addExtraOptions(CLI::App& app, ExtraOptions& options) {
     const auto setPattern = [&options](const std::string& name) {
         const auto found = std::find(sw::patternNames.begin(), sw::patternNames.end(), name);
         options.pattern = static_cast<SamplePattern>(found - sw::patternNames.begin());
@@ -30,12 +30,13 @@ void addSamplingOptions(CLI::App& app, SamplingOptions& options) {
         ->check(positive);
     app.add_flag("--corners", options.corners,
                  "rays at the corners of pixels, each shared by four, instead of samples");
+    app.add_option("--stats", options.stats, "JSON file for ray counts, times and error");
     app.add_option("--error-image", options.errorImage,
                    "PNG of the estimated error: black 0.0001, blue 0.001, red 0.01, yellow 0.1, "
                    "white 1");
 }
 
-void checkSamplingOptions(const CLI::App& app, const SamplingOptions& options, int samples) {
+void checkExtraOptions(const CLI::App& app, const ExtraOptions& options, int samples) {
     if (options.corners) refuseBeside(app, "--corners", {"--samples", "--sampler"});
     for (const char* way : {"--adaptive", "--target-rmse", "--time-limit"}) {
         if (app.count(way) == 0) continue;

@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "app/options.h"
+#include "app/report.h"
 #include "swRenderer.h"
+#include "swScene.h"
 
 /// Renders in a way other than the lab's own samplePixel(); nothing, if the command line asks for
 /// no other.
@@ -13,6 +15,7 @@ std::optional<sw::RenderResult> renderOtherwise(
     const Options& options, const sw::RenderOptions& how,
     const std::function<sw::Color(float x, float y)>& radiance);
 
-/// Writes the error image, if the command line asks for it.
+/// Writes statistics and error image, if the command line asks for them.
 /// @throws sw::FileError
-void writeErrorImage(const SamplingOptions& options, const sw::RenderResult& result);
+void writeExtras(const Options& options, const sw::RenderResult& result, const StepTimes& times,
+                 const sw::Scene& scene);

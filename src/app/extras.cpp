@@ -1,14 +1,16 @@
-#include "app/sampling.h"
+#include "app/extras.h"
 
+#include "app/statistics.h"
 #include "swAdaptive.h"
 #include "swCorners.h"
+#include "swFile.h"
 #include "swMetrics.h"
 #include "swSamplePattern.h"
 
 std::optional<sw::RenderResult> renderOtherwise(
     const Options& options, const sw::RenderOptions& how,
     const std::function<sw::Color(float x, float y)>& radiance) {
-    const SamplingOptions& sampling = options.sampling;
+    const ExtraOptions& sampling = options.extra;
     if (sampling.isAdaptive()) {
         sw::AdaptiveOptions limits;
         limits.tolerance = sampling.tolerance;
@@ -31,6 +33,9 @@ std::optional<sw::RenderResult> renderOtherwise(
     return sw::render(*options.crop, pixel, how);
 }
 
-void writeErrorImage(const SamplingOptions& options, const sw::RenderResult& result) {
-    if (!options.errorImage.empty()) sw::writePng(sw::heatMap(result.errors), options.errorImage);
+void writeExtras(const Options& options, const sw::RenderResult& result, const StepTimes& times,
+                 const sw::Scene& scene) {
+    const ExtraOptions& extra = options.extra;
+    if (!extra.errorImage.empty()) sw::writePng(sw::heatMap(result.errors), extra.errorImage);
+    if (!extra.stats.empty()) sw::writeFile(extra.stats, statsJson(options, result, times, scene));
 }
