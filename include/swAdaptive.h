@@ -11,19 +11,21 @@
 /// Display, 1980, section "Visible surface processing and antialiasing"): where neighbouring
 /// samples agree, one per pixel is enough; where they differ, subdivide.
 ///
-/// Every pixel first gets one sample at a random place in it. Then, pass by pass, the pixels whose
-/// estimated error is largest for what they have cost double their samples.
+/// First, every pixel gets one sample at a random place in it. Then each pass doubles the samples
+/// of the pixels with the largest estimated error for their cost.
 ///
-/// What can be lost:
-/// - Whatever covers a whole pixel is seen by that pixel's first sample.
-/// - Anything else is missed by all first samples with a probability of at most exp(-A), where A is
-///   its area in pixels, whatever its shape: a line of width 0.1 and length 50 in 0.7 % of cases.
-/// - What one pixel has seen makes its eight neighbours look closer, and their neighbours if these
-///   find it too, one pixel further with each pass: edges and lines are followed. Next to a
+/// What may be missed:
+/// - An object that covers a whole pixel is never missed: that pixel's first sample hits it.
+/// - Any other object is missed by all first samples with a probability of at most exp(-A), where A
+///   is its area in pixels. Its shape does not matter: a line of width 0.1 and length 50 is missed
+///   in 0.7 % of cases.
+/// - If a pixel sees a contrast, its eight neighbours are sampled more. If they see it too, so are
+///   their neighbours, one pixel further per pass: edges and lines are followed. Next to a
 ///   contrast c of more than 7 tolerances, a pixel takes at least (c / (3.2 tolerance))^(2/3)
 ///   samples; n of them hit every horizontal or vertical line through it that is at least 2/n of a
-///   pixel wide. Of thin white triangles on black, 25 pixels long and 0.2 wide at the foot, that
-///   were seen at all, the picture shows 89 % of the area at tolerance 0.02, 96 % at 0.01.
+///   pixel wide. For thin white triangles on black, 25 pixels long and 0.2 wide at the
+///   foot, the picture shows 89 % of the area at tolerance 0.02 and 96 % at 0.01, if any sample
+///   hit them.
 namespace sw {
 
 struct AdaptiveProgress {
@@ -34,7 +36,7 @@ struct AdaptiveProgress {
 };
 
 /// When to stop. Rendering ends at the first limit that is reached. A number that is not positive
-/// is no limit; without any limit, every pixel of unknown error gets maxSamples.
+/// means no limit. Without any limit, every pixel of unknown error gets maxSamples.
 struct AdaptiveOptions {
     /// A pixel whose mean has at most this estimated error needs no more samples. In linear
     /// radiance, as displayed: root mean square of the three channels, in 0..1.
@@ -55,10 +57,10 @@ struct AdaptiveResult : RenderResult {
     int passes = 0;
 };
 
-/// Renders a window of a picture with as many samples in each pixel as its error asks for. The
+/// Renders a window of a picture and chooses the number of samples in each pixel by its error. The
 /// result is the same for any number of threads and any tile size. If the tolerance alone ends the
-/// rendering, any window gets the same pixels: what can influence the window is sampled as well, in
-/// a margin of one pixel for each pass. A time limit makes the result depend on the machine; the
+/// rendering, a pixel is the same in every window: a margin of one pixel per pass is sampled as
+/// well, as it can influence the window. A time limit makes the result depend on the machine; the
 /// target RMSE is that of the window. Calls radiance concurrently: it must be thread-safe. If it
 /// uses uniform(), the numbers depend on seed and pixel alone. The first exception that it throws
 /// ends the rendering and is passed on.

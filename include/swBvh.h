@@ -10,14 +10,14 @@
 
 namespace sw {
 
-/// Bounding volume hierarchy: finds the few boxes that a ray can meet. It knows nothing of what is
-/// inside the boxes. Queries may run in many threads at once.
+/// Bounding volume hierarchy: finds the few boxes that a ray can hit. It does not know what the
+/// boxes contain. Queries may run in many threads at once.
 class Bvh {
 public:
     static constexpr int width = BvhNode::width;
     static constexpr int maxDepth = 48;  ///< levels of nodes, whatever the boxes
 
-    /// What a traversal has tested.
+    /// How many nodes and primitives a traversal has tested.
     struct Cost {
         std::uint64_t nodes = 0, primitives = 0;
     };
@@ -26,12 +26,12 @@ public:
 
     Bvh() = default;
 
-    /// @param boxes     finite, at most 2^28; a primitive's number is its place in here
+    /// @param boxes     finite, at most 2^28; a primitive's number is its index here
     /// @param leafSize  the most primitives per leaf, 1..8
-    /// @param threads   how many to build with; the tree is the same for any number
+    /// @param threads   for building; the tree is the same for any number
     explicit Bvh(std::span<const Bounds> boxes, int leafSize = 8, int threads = 1);
 
-    /// The numbers of the primitives in the order of the tree: every leaf is a range of this.
+    /// The primitives' numbers in tree order: every leaf is a range of this.
     std::span<const std::uint32_t> order() const { return primitives; }
     std::span<const Node> tree() const { return nodes; }  ///< the root comes first
     /// Calls visit(std::uint32_t first, std::uint32_t count) for every leaf: a range of order().
@@ -43,9 +43,8 @@ public:
                     visit(Node::leafFirst(node.child[i]), Node::leafCount(node.child[i]));
     }
 
-    /// Visits, roughly from front to back, the leaves whose boxes the ray meets with
-    /// minT < t < maxT. No true intersection inside a box is missed by rounding, for origins up to
-    /// 2^127.
+    /// Visits the leaves whose boxes the ray hits with minT < t < maxT, roughly from front to back.
+    /// Rounding never makes it miss a true intersection inside a box, for origins up to 2^127.
     /// @param leaf  bool(std::uint32_t first, std::uint32_t count, float& maxT): tests the
     ///              primitives order()[first .. first + count), sets maxT to a nearer hit's t;
     ///              true ends the traversal. If it has a prefetch(first, count) const, that is

@@ -14,7 +14,7 @@ struct alignas(64) BvhNode {
     /// directions (bit i: component i is negative).
     std::uint32_t order[width];
 
-    // A child is a node's index, or the range of a leaf: its first place in Bvh::order() and its
+    // A child is a node's index, or the range of a leaf: its start in Bvh::order() and its
     // size.
     static constexpr std::uint32_t leafBit = 1u << 31;
     static constexpr int sizeShift = 28;

@@ -9,9 +9,9 @@ namespace sw {
 class Camera {
 public:
     /// @param origin  where the eye is
-    /// @param lookAt  what is in the middle of the picture; not equal to origin
-    /// @param up      what points up in the picture; any length. If it is (nearly) parallel to the
-    ///                view, the coordinate axis least aligned with the view takes its place
+    /// @param lookAt  the point in the middle of the picture; not equal to origin
+    /// @param up      upward direction; any length. If it is (nearly) parallel to the view, the
+    ///                coordinate axis least aligned with the view replaces it
     /// @param fov     vertical field of view in degrees, 0 < fov < 180
     /// @param aspect  width / height, until setup() sets the true size
     Camera(const Vec3& origin, const Vec3& lookAt, const Vec3& up, float fov, float aspect = 1);

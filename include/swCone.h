@@ -4,8 +4,8 @@
 
 namespace sw {
 
-/// The lateral surface of a cone, without caps. It is a truncated cone, a cylinder if the radii are
-/// equal, and a cone with a tip if one radius is 0. The axis is at right angles to the end circles.
+/// The lateral surface of a truncated cone, without caps. It is a cylinder if the radii are equal,
+/// and a full cone if one radius is 0. The axis is perpendicular to the end circles.
 ///
 /// Positive radii: hit from outside (front) and from inside (back). Negative radii: only the inside
 /// can be hit; it is the front, and rays from outside pass through. A cone is never hit if its

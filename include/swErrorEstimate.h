@@ -7,9 +7,9 @@
 
 namespace sw {
 
-/// The error of a channel as displayed: half the length of what remains of mean +- error after
-/// clamping to 0..1. It is 0 where all samples are far brighter than white, and 1/2 for
-/// infinite samples, as anything is possible.
+/// The error of a channel as displayed: half the length of the interval mean +- error after
+/// clamping to 0..1. It is 0 if all samples are far brighter than white, and 1/2 if samples are
+/// infinite, because then nothing is known.
 float displayedError(float mean, float error);
 
 /// Estimates the standard error of a pixel's mean: its RMS distance from the true mean.
@@ -26,11 +26,11 @@ float displayedError(float mean, float error);
 /// of edges along the axes, 14 % too small.
 ///
 /// `multiJitter` has 0.6 of that variance at edges, measured on the shipped scenes. `grid` has no
-/// variance: it gets the estimate for jitter. `random` gets the textbook's. What no sample has hit
-/// remains unseen.
+/// variance: it gets the estimate for jitter. `random` gets the textbook estimate. The
+/// estimate knows nothing of objects that no sample has hit.
 class PixelSamples {
 public:
-    /// As long as it lives, it keeps the samples that its thread adds to a SampleMean.
+    /// During its lifetime, it records the samples that its thread adds to a SampleMean.
     /// @param n  samples per side of the grid; less than 2: nothing is kept
     PixelSamples(SamplePattern pattern, int n);
     ~PixelSamples();
@@ -53,7 +53,7 @@ private:
 
 /// The picture's estimated RMSE in 8-bit code values (compare Metrics::rmse8bit). Each error
 /// counts from the mean downwards, where the code values are steeper. Some 20 % too small in the
-/// lab's picture: light that all samples of a black pixel miss is worth many code values.
+/// lab's picture: if all samples of a black pixel miss a light part, that costs many code values.
 /// @param errors  of its pixels, from RenderResult::errors; NaN anywhere makes the result NaN
 double estimatedRmse8bit(const Image& image, const Image& errors, float gamma = 2.2f);
 

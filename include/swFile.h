@@ -18,12 +18,12 @@ public:
 std::string readFile(const std::filesystem::path& path);
 
 /// Writes a file whole or not at all: into a temporary file beside it, which is then renamed. A
-/// failure, a full disk or a kill leaves the old content. If the path is not a regular file (but a
-/// terminal or a pipe), it is written to directly.
+/// failure, a full disk or a killed process leaves the old content. If the path is not a regular
+/// file (but a terminal or a pipe), it is written to directly.
 /// @throws FileError
 void writeFile(const std::filesystem::path& path, std::string_view content);
 
-/// Checks, before long work, that the folder exists and writeFile may write there.
+/// Checks that the folder exists and writeFile may write there. Call it before long work.
 /// @throws FileError
 void requireWritable(const std::filesystem::path& path);
 

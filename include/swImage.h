@@ -37,7 +37,7 @@ inline float clampToDisplay(float linear) {
     return linear > 0 ? (linear < 1 ? linear : 1) : 0;
 }
 
-/// A channel as an 8-bit code value before rounding, 0..256: toByte() cuts it to a whole number.
+/// A channel as an 8-bit code value before rounding, 0..256: toByte() truncates it.
 double codeValue(float linear, float gamma = 2.2f);
 
 /// 8-bit value of one channel: 256 * clamp(linear^(1/gamma), 0, 0.999).

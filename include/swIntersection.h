@@ -15,10 +15,9 @@ struct Intersection {
     Material material;
     Ray ray;  ///< the ray that hit
 
-    /// Unit normal of the true surface, on the same side, if `normal` is a shading normal that
-    /// makes a flat piece look round. It separates above from below: spawned rays start and stay on
-    /// their side of it. Zero (the default): no shading normal was set, `normal` is the geometric
-    /// one.
+    /// Unit normal of the true surface, on the same side, if `normal` is a shading normal. It
+    /// decides what is above and below the surface: spawned rays start and stay on their side of
+    /// it. Zero (the default): no shading normal was set, `normal` is the geometric one.
     Vec3 geometricNormal;
 
     /// How far `position` may lie from the true surface. The next ray must start that far off along
@@ -42,9 +41,9 @@ struct Intersection {
     /// The positionError, or a cautious bound if the primitive states none.
     ///
     /// The slides start their rays at t = 0.01, which suits the lab's scene of some 60 units. The
-    /// bound keeps that proportion at every scale: it is 2^-14 times the lengths that went into the
-    /// hit point, its own coordinates and the distance to it. That is 1000 roundings, enough for
-    /// textbook formulas in float at distances up to about 30 times the primitive's size.
+    /// bound keeps that proportion at every scale. It is 2^-14 times the lengths that the hit point
+    /// was computed from: its coordinates and the distance to it. That is 1000 roundings, enough
+    /// for textbook formulas in float at distances up to about 30 times the primitive's size.
     float errorBound() const;
 
     /// Ray that starts at the hit point, just far enough off the surface not to meet it again.
@@ -55,18 +54,18 @@ struct Intersection {
     Ray spawnRay(const Vec3& direction, const Vec3& side, RayKind kind) const;
 
     /// Ray from the hit point to a light. Its direction is not normalised, and maxT ends it just
-    /// short of the light: whatever it hits stands between point and light.
-    /// It starts above the true surface, so light from behind is blocked by the surface itself.
+    /// short of the light: anything that it hits is between point and light. It starts above the
+    /// true surface, so the surface itself blocks light from behind.
     Ray getShadowRay(const Vec3& lightPos) const;
 
-    /// Ray that leaves the hit point as from a mirror; unit direction. Where a shading normal
-    /// would send it into the surface, it is mirrored at the true surface.
+    /// Mirror-reflected ray; unit direction. If the shading normal would send it into the surface,
+    /// it is reflected at the true surface.
     Ray getReflectedRay() const;
 
-    /// Ray that leaves the hit point by Snell's law; unit direction. Entering through the front
-    /// divides by material.refractiveIndex, leaving through the back multiplies with it.
-    /// On total internal reflection it is the reflected direction. Where a shading normal would
-    /// send it to the wrong side, it is refracted at the true surface.
+    /// Ray refracted by Snell's law; unit direction. Entering through the front divides by
+    /// material.refractiveIndex, leaving through the back multiplies by it. On total internal
+    /// reflection it takes the reflected direction. If the shading normal would send it to the
+    /// wrong side, it is refracted at the true surface.
     Ray getRefractedRay() const;
 };
 

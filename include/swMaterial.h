@@ -4,7 +4,7 @@
 
 namespace sw {
 
-/// What a surface does with light: the fraction `reflectivity` is mirrored, the fraction
+/// How a surface treats light: the fraction `reflectivity` is mirrored, the fraction
 /// `transparency` is refracted, and the rest, 1 - reflectivity - transparency, is scattered
 /// diffusely in `color`.
 struct Material {

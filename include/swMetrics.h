@@ -19,12 +19,12 @@ struct Metrics {
 /// @param gamma  of the 8-bit picture
 Metrics compare(const Image& a, const Image& b, float gamma = 2.2f);
 
-/// Shows small numbers by colour, one for each power of ten: black 0.0001 and less, blue 0.001, red
-/// 0.01, yellow 0.1, white 1; numbers in between get a mixture. Grey is NaN.
+/// Shows small numbers as colours, one colour per power of ten: black 0.0001 and less, blue 0.001,
+/// red 0.01, yellow 0.1, white 1; numbers in between are interpolated. Grey is NaN.
 /// @param errors  per channel, not negative; a pixel's colour shows their root mean square
 Image heatMap(const Image& errors);
 
-/// The difference of two pictures' channels as displayed, for heatMap().
+/// The absolute differences of two pictures' channels as displayed, for heatMap().
 /// @param b  as large as a
 Image absoluteDifference(const Image& a, const Image& b);
 

@@ -18,8 +18,8 @@ struct NffScene {
     Camera camera;  ///< set up for the resolution below
     int width;      ///< default size of the picture in pixels
     int height;
-    /// What is odd in the file but can be rendered: `file:line:column: warning: ...`, once for each
-    /// kind of oddity, at its first place.
+    /// Things that are odd but can be rendered: `file:line:column: warning: ...`, one warning for
+    /// each kind, at its first occurrence.
     std::vector<std::string> warnings;
 };
 
@@ -29,22 +29,22 @@ struct NffScene {
 ///     from x y z  at x y z  up x y z  angle a  hither h  resolution w h
 ///     b r g b                  background
 ///     l x y z [r g b]          point light; lights without a colour get 1/sqrt(number of lights)
-///     f r g b Kd Ks Shine T i  material of what follows: reflectivity Ks, transparency T,
+///     f r g b Kd Ks Shine T i  material of the shapes below: reflectivity Ks, transparency T,
 ///                              refractive index i (ignored where T is 0); Shine is not used.
 ///                              The diffuse part is Kd * (r, g, b), unless Ks + T is 1 or more
 ///     s x y z radius           sphere
 ///     c x y z r  x y z r       cone or cylinder without caps: base, its radius, apex, its radius
-///     p n  x y z  ...          plane polygon of n vertices, counter-clockwise from its front
+///     p n  x y z  ...          planar polygon of n vertices, counter-clockwise from its front
 ///     pp n  x y z nx ny nz ... patch: the same, with a normal at each vertex for smooth shading
 ///     # ...                    comment until the end of the line
 ///
-/// Any white space separates; the locale does not matter. If the radii are negative, only the
-/// inside can be seen. Polygons have up to 10,000 vertices, need not be convex, and may repeat
-/// vertices. What is odd but can be rendered gives a warning: a polygon that crosses itself or is
-/// not plane, a cone without height.
-/// @param name    what error messages call the text
-/// @param shapes  if not null, all shapes are appended to it, in the file's order. A scene itself
-///                does not remember where its shapes come from
+/// Any white space separates; the locale does not matter. If a radius is negative, only the inside
+/// can be seen. Polygons have up to 10,000 vertices, need not be convex, and may repeat vertices.
+/// Shapes that are odd but can be rendered give a warning: polygons that cross themselves or are
+/// not planar, and cones without height.
+/// @param name    the text's name in error messages
+/// @param shapes  if not null, all shapes are appended to it, in the file's order. The scene itself
+///                does not record where its shapes come from
 /// @throws NffError
 NffScene parseNff(std::string_view text, const std::string& name,
                   std::vector<NffShape>* shapes = nullptr);

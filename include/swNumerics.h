@@ -6,7 +6,7 @@
 
 #include "swVec3.h"
 
-/// Kernels compute in double; points and normals are floats. Bounds for what rounding loses.
+/// Bounds on rounding errors. Kernels compute in double; points and normals are floats.
 namespace sw::num {
 
 /// Unit roundoff of float: a rounded result is off by at most this fraction of itself.
@@ -29,7 +29,7 @@ inline glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& fallback) {
 /// The largest component's magnitude.
 inline float maxAbs(const Vec3& v) {
     const float x = std::fabs(v.m[0]), y = std::fabs(v.m[1]), z = std::fabs(v.m[2]);
-    const float xy = x > y ? x : y;  // std::fmax would be a call
+    const float xy = x > y ? x : y;  // faster than std::fmax, a function call
     return xy > z ? xy : z;
 }
 
@@ -38,10 +38,10 @@ inline float maxAbs(const Vec3& v) {
 /// @param extent    at least the distance between any two points of the primitive
 ///
 /// Rounding moves the position by u |p_i| per axis: at most sqrt(3) u max|p| along the normal.
-/// A spawned direction that should leave the surface can dip by 3u: u from rounding it, u from
-/// rounding the normal, u from the side that this normal decides. Across the primitive it dips
-/// by 3u extent. Both are rounded up to 4u. Nothing here is an absolute length: a scene in
-/// millimetres and one in light years look the same.
+/// A spawned direction that should leave the surface can dip below it by 3u: u from rounding the
+/// direction, u from rounding the normal, u from deciding the side by that normal. Across the
+/// primitive it dips by 3u extent. Both are rounded up to 4u. Nothing here is an absolute length: a
+/// scene in millimetres and one in light years look the same.
 inline float surfaceError(const Vec3& position, float extent) {
     return 4 * unitRoundoff * (maxAbs(position) + extent);
 }

@@ -18,7 +18,7 @@ public:
 
     /// Finds the nearest hit with ray.minT < t < ray.maxT. Called from several threads at once.
     /// @param hit  on a hit, its position, normal (unit, against the ray), hitT, frontFacing,
-    ///             material and ray are set; on a miss its content means nothing
+    ///             material and ray are set; on a miss its content is undefined
     /// @return     true if there is a hit; a NaN anywhere is a miss
     virtual bool intersect(const Ray& ray, Intersection& hit) const = 0;
 

@@ -6,7 +6,7 @@
 
 namespace sw {
 
-/// Why a ray was cast. Only statistics look at it.
+/// Why a ray was cast. Used for statistics only.
 enum class RayKind : unsigned char { primary, shadow, reflected, refracted, other };
 
 /// The points orig + t * dir with minT < t < maxT.

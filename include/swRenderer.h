@@ -21,11 +21,11 @@ struct Window {
 struct RenderOptions {
     int tileSize = 16;       ///< pixels per side
     int threads = 0;         ///< 0: one per hardware thread
-    std::uint64_t seed = 1;  ///< of the random numbers that uniform() hands out
+    std::uint64_t seed = 1;  ///< of uniform()'s random numbers
     /// Called after each tile with the number of tiles done, by one thread at a time.
     std::function<void(int done, int total)> progress = nullptr;
-    SamplePattern pattern = SamplePattern::jitter;  ///< of the samples that radiance takes ...
-    int samples = 0;  ///< ... and how many per side of a pixel, for the error estimate
+    SamplePattern pattern = SamplePattern::jitter;  ///< of radiance's samples ...
+    int samples = 0;  ///< ... and their number per side of a pixel, for the error estimate
 };
 
 /// A picture and what is known about it. Errors are root mean squares of the picture as displayed,
@@ -45,8 +45,8 @@ struct RenderResult {
 /// with random numbers of its own, so the result is the same for any number of threads.
 /// @param window    at least one pixel
 /// @param radiance  colour of pixel (x, y), in coordinates of the full picture. The first exception
-///                  it throws ends the rendering and is passed on. There is an error estimate only
-///                  if it adds its samples, options.samples^2 and at least four, to a SampleMean
+///                  it throws ends the rendering and is passed on. For an error estimate, it
+///                  must add its options.samples^2 samples, at least four, to a SampleMean
 RenderResult render(const Window& window, const std::function<Color(int x, int y)>& radiance,
                     const RenderOptions& options = {});
 

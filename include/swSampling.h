@@ -20,19 +20,19 @@ enum class SamplePattern : unsigned char {
     jitter,      ///< one at a random place in each cell of an n x n grid, as in the lab
     grid,        ///< the centres of these cells; nothing random
     random,      ///< anywhere; for comparison
-    multiJitter  ///< jitter with one sample in each of n^2 columns and n^2 rows, too
+    multiJitter  ///< jitter, and one sample in each of n^2 columns and n^2 rows
 };
 
 /// The patterns' names on the command line, indexed by SamplePattern.
 inline constexpr std::array<const char*, 4> patternNames{"jitter", "grid", "random", "multijitter"};
 
-/// A sample as the error estimate keeps it. The last of the four floats is 0: a processor adds four
-/// floats at once, but not three.
+/// A sample as recorded for the error estimate. The fourth float is 0: SIMD adds four floats at
+/// once, not three.
 struct NotedSample {
     float m[4];
 };
 
-/// Room for the samples of this thread's pixel. Empty if no error is estimated.
+/// Where this thread records the samples of its pixel. Empty if no error is estimated.
 struct SampleSpace {
     NotedSample *next = nullptr, *end = nullptr;
 };
@@ -50,7 +50,7 @@ public:
         return *this;
     }
 
-    /// Black without any sample.
+    /// Black if there are no samples.
     operator Color() const { return count == 0 ? sum : sum * (1 / static_cast<float>(count)); }
 
 private:

@@ -26,14 +26,14 @@ struct SceneParts {
 class Scene {
 public:
     Scene();
-    Scene(const Scene&) = default;  // and no moving: it would leave a scene without content
+    Scene(const Scene&) = default;  // no move: it would leave a scene without content
     Scene& operator=(const Scene&) = default;
 
     void push(const Sphere& sphere);
     void push(const Triangle& triangle);
     void push(const Cone& cone);
     void push(const Patch& patch);
-    /// For primitives of other classes, such as a student's own. A null pointer is ignored.
+    /// For other primitives, such as a student's own. A null pointer is ignored.
     void push(std::shared_ptr<Primitive> primitive);
     void push(const Light& light);
     void setBackground(const Color& color);
@@ -44,7 +44,7 @@ public:
 
     /// Finds what the ray hits with minT < t < maxT.
     /// @param hit  the nearest hit, or with `any` just one of the hits; without a hit, its content
-    ///             means nothing
+    ///             is undefined
     /// @param any  true: stop at the first hit found, which is enough for shadow rays
     bool intersect(const Ray& ray, Intersection& hit, bool any = false) const;
     bool intersect(const Ray* ray, Intersection& hit, bool any = false) const {

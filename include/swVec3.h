@@ -34,14 +34,13 @@ struct Vec3 {
         return *this;
     }
 
-    /// The product component by component: the colour in which a surface of this colour answers
-    /// light of the colour v.
+    /// Componentwise product: the colour of a surface of this colour in light of colour v.
     Vec3 times(const Vec3& v) const { return {m[0] * v.m[0], m[1] * v.m[1], m[2] * v.m[2]}; }
 
     bool isZero() const { return m[0] == 0 && m[1] == 0 && m[2] == 0; }
 
-    /// Euclidean length. Computed in double: squares of components from 1e-36 to 1e37 neither
-    /// underflow nor overflow there.
+    /// Euclidean length. Computed in double, so that components from 1e-36 to 1e37 neither
+    /// underflow nor overflow when squared.
     float norm() const { return static_cast<float>(length()); }
 
     /// Scales this vector, in place, to length 1. Keeps a zero or non-finite vector as it is.

@@ -3,8 +3,8 @@
 
 using namespace sw;
 
-// The light that a surface scatters (Lambert, Photometria, 1760): from every light, as much as its
-// direction allows, unless something stands in between.
+// The light that a surface scatters (Lambert, Photometria, 1760). Each light is weighted by the
+// cosine of its angle to the normal, and left out if something blocks it.
 Color directLight(const Intersection& hit, const Scene& scene) {
     Color sum(0, 0, 0);
     for (const Light& light : scene.lights()) {
@@ -21,7 +21,7 @@ Color directLight(const Intersection& hit, const Scene& scene) {
 }
 
 // The light that comes back along a ray (Whitted, An Improved Illumination Model for Shaded
-// Display, 1980). No ray is traced whose weight is zero.
+// Display, 1980). Rays of weight zero are not traced.
 // depth: how many more reflections and refractions may follow; 0: none
 Color traceRay(const Ray& ray, const Scene& scene, int depth) {
     Intersection hit;
@@ -52,8 +52,8 @@ Color samplePixel(float x, float y, int n, int depth, const Camera& camera, cons
     return mean;
 }
 
-// Scene and camera, the colour of every pixel, and the picture into a file. runProgram() reads the
-// command line, and says what went wrong.
+// Loads scene and camera, computes the colour of every pixel, and writes the picture to a file.
+// runProgram() reads the command line and reports errors.
 int main(int argc, char** argv) {
     return runProgram(argc, argv, [](Run& run) {
         const NffScene& file = run.loadScene();

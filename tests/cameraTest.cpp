@@ -159,7 +159,7 @@ TEST_CASE("the camera can be set up again for another size") {
     CHECK(distance(camera.getRay(3, 7).dir, plainCamera(52, 30, 40).getRay(3, 7).dir) == 0);
 }
 
-TEST_CASE("an up vector without a use still gives an upright frame") {
+TEST_CASE("an unusable up vector still gives an upright frame") {
     const auto seed = GENERATE(range(0u, 100u));
     CAPTURE(seed);
     Random random(seed);

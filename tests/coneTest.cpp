@@ -167,7 +167,7 @@ TEST_CASE("a hit on a cone carries its material and the ray") {
     CHECK(hit.ray.kind == ray.kind);
 }
 
-TEST_CASE("a cone whose numbers make no cone is never hit") {
+TEST_CASE("a cone with invalid numbers is never hit") {
     const Ray ray(GENERATE(Vec3(0.2f, 0, 5), Vec3(0, 0, 0.5f), Vec3(0, 0, 0)), {0.1f, 0, -1});
     const Vec3 low(0, -1, 0), high(0, 1, 0);
     REQUIRE(isHit(Cone(low, 1, high, 2, paint), ray));

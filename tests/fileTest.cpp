@@ -117,7 +117,7 @@ TEST_CASE("asking whether a file can be written changes nothing") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("what cannot be read is an error that names it") {
+TEST_CASE("a file that cannot be read is an error that names it") {
     const TemporaryFolder folder;
     CHECK(errorOf([&] { readFile(folder / "none"); }) ==
           (folder / "none").string() + ": not found; is the path right?");
@@ -127,7 +127,7 @@ TEST_CASE("what cannot be read is an error that names it") {
 
 #if SW_TEST_POSIX
 
-TEST_CASE("who has the old file open keeps it") {
+TEST_CASE("a reader that has the old file open keeps it") {
     const TemporaryFolder folder;
     makeFile(folder / "a", "old content");
     std::ifstream opened(folder / "a");

@@ -101,12 +101,12 @@ TEST_CASE("no source includes one of a later layer") {
     }
 }
 
-TEST_CASE("no two units include each other, not even by way of others") {
+TEST_CASE("there are no circular includes") {
     std::map<std::string, Names> below;
     for (const Include& include : allIncludes())
         if (include.from != include.to) below[include.from].insert(include.to);
-    // Whoever has nothing below, or is below nobody, is taken away again and again. What remains
-    // goes in circles, or lies between two of them.
+    // Repeatedly removes units that include none of the others or that no other includes. Those
+    // that remain are part of a circle, or between two circles.
     for (bool changed = true; changed;) {
         Names used;
         for (auto& [unit, others] : below) {
@@ -125,7 +125,7 @@ TEST_CASE("no two units include each other, not even by way of others") {
     }
 }
 
-TEST_CASE("pictures know nothing of scenes, trees nothing of scenes, and the library no tool") {
+TEST_CASE("pictures and trees do not depend on scenes") {
     for (const Include& include : allIncludes()) {
         CAPTURE(include.from, include.to);
         if (layerOf(include.from) == 3) CHECK(layerOf(include.to) != 2);
@@ -141,7 +141,7 @@ TEST_CASE("no file of a tool is used by another tool, unless it is common") {
     }
 }
 
-TEST_CASE("the command line is the program's and the tools' business") {
+TEST_CASE("only the program and the tools know the command line") {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(SW_PROJECT) / "src")) {
         if (!entry.is_regular_file() || entry.path().extension() == ".png") continue;
         const std::string unit = unitOf(entry.path());
@@ -152,7 +152,7 @@ TEST_CASE("the command line is the program's and the tools' business") {
     }
 }
 
-TEST_CASE("at the door of src stands what a slide names") {
+TEST_CASE("the top folder of src holds few files") {
     int files = 0;
     for (const auto& entry : fs::directory_iterator(fs::path(SW_PROJECT) / "src"))
         files += entry.is_regular_file() && entry.path().filename() != "CMakeLists.txt";

@@ -90,7 +90,7 @@ void fill(Random& random, int count, Scene& scene, PlainScene& plain) {
 
 }  // namespace
 
-TEST_CASE("what is left out changes no bit of the picture") {
+TEST_CASE("leaving out rays changes no bit of the picture") {
     Random random(GENERATE(range(0u, 30u)));
     Scene scene;
     PlainScene plain;
@@ -105,7 +105,7 @@ TEST_CASE("what is left out changes no bit of the picture") {
     }
 }
 
-TEST_CASE("just the rays that can change the picture are traced") {
+TEST_CASE("only rays that can change the picture are traced") {
     Random random(GENERATE(range(0u, 20u)));
     Scene scene;
     PlainScene plain;
@@ -128,7 +128,7 @@ TEST_CASE("just the rays that can change the picture are traced") {
     }
 }
 
-TEST_CASE("a scene tells what it consists of, and when it needed a tree") {
+TEST_CASE("a scene reports its contents and whether it needed a tree") {
     Scene scene;
     CHECK(countOf(scene, "spheres") == 0);
     CHECK_FALSE(scene.parts().tree);

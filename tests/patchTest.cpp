@@ -209,7 +209,7 @@ TEST_CASE("a closed ball of patches keeps its light inside") {
     CHECK(ball.intersect(hit.getShadowRay(from), blocker, true));
 }
 
-TEST_CASE("a normal without direction stands for the plane's") {
+TEST_CASE("the plane's normal replaces a vertex normal without direction") {
     const Vec3 bad = GENERATE(Vec3(0, 0, 0), Vec3(NAN, 0, 1), Vec3(0, 1, HUGE_VALF),
                               Vec3(-HUGE_VALF, HUGE_VALF, NAN));
     const Vec3 vertices[] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
@@ -232,7 +232,7 @@ TEST_CASE("a patch without area is never hit") {
     CHECK_FALSE(flat(vertices, Vec3()).intersect(Ray({1, 1, 5}, {0, 0, -1}), hit));
 }
 
-TEST_CASE("an own primitive that sets only the normal spawns rays along it") {
+TEST_CASE("a student's primitive that sets only the normal spawns rays along it") {
     const Plane plane(2, glass);
     Intersection hit;
     REQUIRE(plane.intersect(Ray({0, 0, 5}, {1, 0, -1}), hit));

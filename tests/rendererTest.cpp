@@ -150,12 +150,12 @@ TEST_CASE("an exception from a pixel ends the rendering and is passed on") {
     CHECK(message == "pixel 37, 5");
     // Other threads finish their tile and take no more.
     CHECK(callsAfter < 200 * 200 / 2);
-    // The next picture knows nothing of it.
+    // The next picture is not affected.
     const Window window{0, 0, 20, 20};
     CHECK(differences(rendered(window, position), window, rendered(window, position)) == 0);
 }
 
-TEST_CASE("exceptions from all pixels and from progress arrive as one") {
+TEST_CASE("only one of many exceptions from pixels and progress is passed on") {
     const auto threads = GENERATE(1, 3);
     CAPTURE(threads);
     const auto fails = [](int, int) -> Color { throw std::range_error("any"); };
@@ -165,7 +165,7 @@ TEST_CASE("exceptions from all pixels and from progress arrive as one") {
     CHECK_THROWS_AS(rendered({0, 0, 100, 100}, position, options), std::length_error);
 }
 
-TEST_CASE("statistics hold every ray of every thread and no other") {
+TEST_CASE("statistics count every ray of every thread exactly once") {
     const auto threads = GENERATE(1, 2, 5);
     CAPTURE(threads);
     Scene scene;
@@ -194,7 +194,7 @@ TEST_CASE("statistics hold every ray of every thread and no other") {
     CHECK(result.rays.total() == 3 * 60 * 40);
 }
 
-TEST_CASE("statistics tell the threads that took part and the wall time") {
+TEST_CASE("statistics hold the threads that took part and the wall time") {
     const auto slow = [](int, int) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         return Color();

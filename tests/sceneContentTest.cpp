@@ -63,7 +63,7 @@ TEST_CASE("a primitive that overrides only intersect is hit") {
     CHECK(hitBy(scene, Ray(Vec3(0, 0, 10), Vec3(0, 0, -1), 0, 8.5f), true) == 1);
 }
 
-TEST_CASE("a primitive that scribbles on a miss leaves no trace") {
+TEST_CASE("a primitive that writes to the hit record on a miss changes nothing") {
     const bool first = GENERATE(true, false);
     Scene scene;
     if (first) scene.push(std::make_shared<Scribbler>());
@@ -79,7 +79,7 @@ TEST_CASE("a primitive that scribbles on a miss leaves no trace") {
     CHECK(hit.positionError < 0);  // the plane states none
 }
 
-TEST_CASE("the accuracy that one primitive states is never taken for that of another") {
+TEST_CASE("the positionError of one primitive is never used for another") {
     Scene scene;
     scene.push(Sphere(Vec3(0, 0, 0), 1, number(1)));
     scene.push(std::make_shared<Plane>(2.f, number(2)));
@@ -91,7 +91,7 @@ TEST_CASE("the accuracy that one primitive states is never taken for that of ano
     CHECK(hit.positionError < 0);
 }
 
-TEST_CASE("a claimed hit outside the interval or at NaN is none") {
+TEST_CASE("a reported hit outside the interval or at NaN does not count") {
     const float t = GENERATE(NAN, -NAN, HUGE_VALF, -HUGE_VALF, -1.f, 0.f, 1.f, 20.f, 21.f, FLT_MAX);
     const bool any = GENERATE(false, true);
     CAPTURE(t, any);
@@ -124,7 +124,7 @@ TEST_CASE("an empty scene has black background and no lights and no hits") {
 TEST_CASE("copies of a scene are independent") {
     Scene original;
     original.push(Sphere(Vec3(0, 0, 0), 1, number(1)));
-    CHECK(hitBy(original, downwards) == 1);  // prepared, whatever that means
+    CHECK(hitBy(original, downwards) == 1);  // the query prepares it
     Scene copy = original;
     copy.push(Sphere(Vec3(0, 0, 3), 1, number(2)));
     copy.push(std::make_shared<Plane>(6.f, number(3)));
@@ -196,7 +196,7 @@ TEST_CASE("a ray that is not finite or has no direction hits nothing") {
     CHECK(hitBy(scene, Ray(from, -from, 0, HUGE_VALF), any) >= 1);
 }
 
-TEST_CASE("many threads may ask a scene that nobody asked before") {
+TEST_CASE("many threads may send the first queries to a scene") {
     constexpr int count = 300, threads = 4;
     for (int round = 0; round < 30; ++round) {
         Scene scene;
@@ -209,7 +209,7 @@ TEST_CASE("many threads may ask a scene that nobody asked before") {
             for (int k = 0; k < count; ++k) {
                 const int i = (start + 7 * k) % count;
                 const Ray ray(Vec3(static_cast<float>(3 * i), 0, 9), Vec3(0, 0, -1));
-                const Scene byValue = scene;  // as old lab programs hand it on
+                const Scene byValue = scene;  // as old lab programs pass it
                 if (hitBy(k % 2 == 0 ? scene : byValue, ray, k % 3 == 0) != i) ++wrong;
             }
         };

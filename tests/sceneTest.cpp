@@ -84,7 +84,7 @@ TEST_CASE("an any-hit query returns one of the hits inside the interval") {
     CHECK(hitBy(scene, Ray(Vec3(0, 0, 10), Vec3(0, 0, -1), 0, 11), true) == -1);
 }
 
-TEST_CASE("both lecture spellings of intersect answer alike") {
+TEST_CASE("both lecture spellings of intersect give the same result") {
     const Scene scene = stack({0, 1, 2, 3});
     Intersection byReference, byPointer;
     CHECK(scene.intersect(downwards, byReference));
@@ -134,7 +134,7 @@ TEST_CASE("the record's ray is the caller's with its whole interval") {
     CHECK(distance(hit.ray.dir, ray.dir) == 0);
 }
 
-TEST_CASE("the record's own ray may be asked again") {
+TEST_CASE("the ray in the hit record may be traced again") {
     const bool any = GENERATE(false, true);
     Scene scene = stack({3, 2, 1, 0});
     scene.push(std::make_shared<Plane>(2.f, number(5)));

@@ -81,7 +81,7 @@ TEST_CASE("light behind the surface gives nothing") {
     CAPTURE(degrees);
     const auto solid = trace(slanted, litFloor(white, Light(light)), 3);
     CHECK(distance(solid.color, Vec3(0, 0, 0)) == 0);
-    // Nor where the surface would let it pass: no term is negative.
+    // The same for a surface that would let light through: no term is negative.
     Scene ghostly;
     ghostly.push(std::make_shared<Ghost>(0.f, white));
     ghostly.push(Light(light));
@@ -120,7 +120,7 @@ TEST_CASE("coloured lights add up on a coloured surface") {
     CHECK(distance(lab::traceRay(slanted, scene, 0), expected) < 1e-5);
 }
 
-TEST_CASE("what stands between point and light casts a shadow and nothing else does") {
+TEST_CASE("only objects between point and light cast a shadow") {
     const float z = GENERATE(-3.f, 2.f, 4.f, 8.f, 20.f);
     Scene scene = litFloor(white, Light(Vec3(3, 0, 6)));
     scene.push(Sphere(Vec3(z / 2, 0, z), 0.5f, white));

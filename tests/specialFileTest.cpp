@@ -18,8 +18,8 @@ using namespace test;
 
 #ifdef __linux__
 TEST_CASE("a full device is an error with its reason") {
-    // A device of our own, never /dev/full: for root, a library that replaces special files would
-    // destroy the machine's. Who may not make one is not able to rename in /dev either.
+    // Our own device, never /dev/full: run by root, a library that replaces special files would
+    // destroy the machine's. A user who may not create devices cannot rename in /dev either.
     const TemporaryFolder folder;
     const bool own = mknod((folder / "full").c_str(), S_IFCHR | 0666, makedev(1, 7)) == 0;
     if (!own && access("/dev", W_OK) == 0) return;
@@ -32,7 +32,7 @@ TEST_CASE("a full device is an error with its reason") {
 #endif
 
 TEST_CASE("a device that cannot be read is an error") {
-    // Opens well, and fails with the first byte.
+    // It opens, but reading the first byte fails.
     if (!fs::exists("/proc/self/mem")) return;
     CHECK(startsWith(errorOf([] { readFile("/proc/self/mem"); }), "/proc/self/mem: cannot read: "));
 }

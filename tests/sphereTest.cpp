@@ -127,7 +127,7 @@ TEST_CASE("a longer direction meets the sphere at a smaller t in the same place"
     CHECK(distance(scaled.position, hit.position) <= 1e-4 * sphere.radius);
 }
 
-TEST_CASE("of a sphere with a negative radius the inside alone is seen, as its front") {
+TEST_CASE("a sphere with a negative radius is seen only from inside, as its front") {
     const auto start = GENERATE(Start::outside, Start::inside);
     const auto seed = GENERATE(range(0u, 500u));
     CAPTURE(start, seed);
@@ -196,7 +196,7 @@ TEST_CASE("a ray with a number that is not finite never hits a sphere") {
     CHECK_FALSE(isHit(sphere, Ray(good.orig, {0, 0, 0})));
 }
 
-TEST_CASE("a sphere whose numbers make no sphere is never hit") {
+TEST_CASE("a sphere with invalid numbers is never hit") {
     const Ray ray(GENERATE(Vec3(0, 0, 5), Vec3(0, 0, 0), Vec3(0.5f, 0, 0)), {0, 0, -1});
     CHECK_FALSE(isHit(Sphere({0, 0, 0}, GENERATE(0.0f, NAN, HUGE_VALF, -HUGE_VALF), paint), ray));
     for (const float bad : {NAN, HUGE_VALF, -HUGE_VALF}) {

@@ -15,21 +15,22 @@ void addExtraOptions(CLI::App& app, ExtraOptions& options) {
         options.pattern = static_cast<SamplePattern>(found - sw::patternNames.begin());
     };
     app.add_option_function<std::string>("--sampler", setPattern,
-                                         "where they lie: jitter, grid, random or multijitter")
+                                         "sample pattern: jitter, grid, random or multijitter")
         ->check(CLI::IsMember(
             std::vector<std::string>(sw::patternNames.begin(), sw::patternNames.end())))
         ->default_str("jitter");
     const auto positive = CLI::Range(1e-9, 1e9);
-    app.add_option("--adaptive", options.tolerance,
-                   "as many samples as each pixel needs for this estimated error, 0.01 for example")
+    app.add_option(
+           "--adaptive", options.tolerance,
+           "adaptive: sample each pixel until its estimated error is at most this, e.g. 0.01")
         ->check(positive);
     app.add_option("--target-rmse", options.targetRmse,
-                   "the same, until this is the whole picture's estimated error")
+                   "adaptive: stop when the picture's estimated error is at most this")
         ->check(positive);
-    app.add_option("--time-limit", options.timeLimit, "the same, for that many seconds")
+    app.add_option("--time-limit", options.timeLimit, "adaptive: stop after this many seconds")
         ->check(positive);
     app.add_flag("--corners", options.corners,
-                 "rays at the corners of pixels, each shared by four, instead of samples");
+                 "one ray per pixel corner, shared by four pixels, instead of samples");
     app.add_option("--stats", options.stats, "JSON file for ray counts, times and error");
     app.add_option("--error-image", options.errorImage,
                    "PNG of the estimated error: black 0.0001, blue 0.001, red 0.01, yellow 0.1, "

@@ -12,14 +12,14 @@ class App;
 /// picture.
 struct ExtraOptions {
     sw::SamplePattern pattern = sw::SamplePattern::jitter;
-    float tolerance = 0;               ///< adaptive: of each pixel's estimated error; 0: none
-    float targetRmse = 0;              ///< adaptive: of the picture's estimated error; 0: none
-    double timeLimit = 0;              ///< adaptive: in seconds; 0: none
-    bool corners = false;              ///< shoot rays at the pixels' corners instead; samples is 1
-    std::filesystem::path stats;       ///< JSON file for statistics; empty: none
+    float tolerance = 0;          ///< adaptive: largest estimated error of a pixel; 0: none
+    float targetRmse = 0;         ///< adaptive: largest estimated error of the picture; 0: none
+    double timeLimit = 0;         ///< adaptive: in seconds; 0: none
+    bool corners = false;         ///< trace rays at the pixels' corners; samples is 1
+    std::filesystem::path stats;  ///< JSON file for statistics; empty: none
     std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none
 
-    /// Whether as many samples are taken in each pixel as its error asks for.
+    /// Whether the number of samples in each pixel depends on its error.
     bool isAdaptive() const { return tolerance > 0 || targetRmse > 0 || timeLimit > 0; }
 };
 
@@ -27,6 +27,6 @@ struct ExtraOptions {
 /// @param options  must outlive the app: it takes their values
 void addExtraOptions(CLI::App& app, ExtraOptions& options);
 
-/// @param samples  of the lab's own grid
+/// @param samples  per side of the lab's grid
 /// @throws UsageError for options that exclude each other
 void checkExtraOptions(const CLI::App& app, const ExtraOptions& options, int samples);

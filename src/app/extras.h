@@ -8,8 +8,8 @@
 #include "swRenderer.h"
 #include "swScene.h"
 
-/// Renders in a way other than the lab's own samplePixel(); nothing, if the command line asks for
-/// no other.
+/// Renders without the lab's samplePixel(), if the command line asks for that; else returns
+/// nothing.
 /// @param radiance  colour at a point of the picture
 std::optional<sw::RenderResult> renderOtherwise(
     const Options& options, const sw::RenderOptions& how,

@@ -14,8 +14,8 @@ namespace {
 constexpr int largestSide = 16384;
 constexpr long long mostPixels = 1LL << 28;  // 3 GiB of floats
 
-// Reads whole numbers with separators between them, "512x512" for example, and nothing else.
-// Returns whether the text is just that.
+// Reads integers with separators between them, "512x512" for example. Returns false if the text is
+// anything else.
 bool readInts(const std::string& text, char separator, std::span<int> values) {
     const char* at = text.data();
     const char* const end = at + text.size();
@@ -61,8 +61,7 @@ const CLI::Validator notNegative(
     },
     "");
 
-// There are several ways to sample a picture, and each has options of its own. To look into a pixel
-// makes no picture.
+// Refuses options of different ways to sample a picture, and options of pictures beside --pixel.
 void requireOneWay(const CLI::App& app, const Options& options) {
     if (options.pixel)
         refuseBeside(
@@ -82,27 +81,28 @@ Options parseOptions(int argc, const char* const* argv) {
     app.set_version_flag("--version", SW_VERSION);
     app.add_option("scene", options.scene, "scene file in NFF; default: the lab's scene");
     app.add_option("-o,--output", options.output, "picture to write, a PNG")->capture_default_str();
-    app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default: what the scene says");
-    app.add_option("--samples", options.samples, "N for NxN samples per pixel; 1: its centre")
+    app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default: the scene's resolution");
+    app.add_option("--samples", options.samples, "N: NxN samples per pixel; 1: the pixel's centre")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     addExtraOptions(app, options.extra);
-    app.add_option("--depth", options.depth, "how often a ray may be reflected or refracted")
+    app.add_option("--depth", options.depth,
+                   "maximum number of successive reflections and refractions")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
-    app.add_option("--threads", options.threads, "0: all that the machine has")
+    app.add_option("--threads", options.threads, "number of threads; 0: one per hardware thread")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
-    app.add_option("--seed", options.seed, "of the random numbers")
+    app.add_option("--seed", options.seed, "seed of the random numbers")
         ->check(notNegative)
         ->capture_default_str();
-    app.add_option("--crop", crop, "x0,y0,x1,y1: only this window of the picture");
+    app.add_option("--crop", crop, "x0,y0,x1,y1: render only this window of the picture");
     app.add_option("--pixel", pixel,
-                   "x,y: no picture, but the tree of rays behind this pixel's centre");
-    app.add_option("--gamma", options.gamma, "of the picture")
+                   "x,y: print the tree of rays behind this pixel's centre instead of rendering");
+    app.add_option("--gamma", options.gamma, "gamma of the PNG")
         ->check(CLI::Range(0.1, 10.0))
         ->capture_default_str();
-    app.add_flag("--quiet", options.quiet, "print nothing but errors");
+    app.add_flag("--quiet", options.quiet, "print only errors");
 
     try {
         app.parse(argc, argv);

@@ -13,17 +13,17 @@ struct Pixel {
     int x = 0, y = 0;
 };
 
-/// What the command line asks for.
+/// The command line's options.
 struct Options {
-    std::filesystem::path scene;  ///< the lab's, where none is named
+    std::filesystem::path scene;  ///< the lab's if none is given
     std::filesystem::path output = "out.png";
     int width = 0, height = 0;       ///< pixels; 0: the scene's own resolution
     int samples = 3;                 ///< per side of the grid in every pixel
-    int depth = 3;                   ///< of the recursion: 0 traces primary rays alone
+    int depth = 3;                   ///< of the recursion; 0: primary rays only
     int threads = 0;                 ///< 0: one per hardware thread
-    std::uint64_t seed = 1;          ///< of the jitter
+    std::uint64_t seed = 1;          ///< of the random numbers
     std::optional<sw::Window> crop;  ///< render only this part of the picture
-    std::optional<Pixel> pixel;      ///< print the rays behind it, and render nothing
+    std::optional<Pixel> pixel;      ///< print the rays behind it instead of rendering
     float gamma = 2.2f;              ///< of the PNG
     bool quiet = false;              ///< neither progress nor summary nor warnings
     ExtraOptions extra;
@@ -33,7 +33,7 @@ struct Options {
 /// @throws UsageError
 Options parseOptions(int argc, const char* const* argv);
 
-/// Settles the picture's size, which only the scene may know.
-/// @throws UsageError for one too large for memory, or a crop or pixel that lies outside the
+/// Takes the scene's picture size unless the command line gives one.
+/// @throws UsageError if the size is too large for memory, or the crop or pixel is outside the
 /// picture
 void settleSize(Options& options, int sceneWidth, int sceneHeight);

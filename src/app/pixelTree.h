@@ -7,9 +7,9 @@
 #include "rayTree/rayProbe.h"
 #include "swNff.h"
 
-/// Says what is behind a pixel: its colour, and the tree of rays from the one through its centre.
-/// @param options  with a pixel, and a size that is settled
-/// @param file     whose camera is set up for that size
-/// @param shapes   those of the file
+/// Describes a pixel: its colour, and the tree of rays that starts with the ray through its centre.
+/// @param options  with a pixel, and a size set by settleSize()
+/// @param file     with its camera set up for that size
+/// @param shapes   the file's shapes
 std::string describePixel(const Options& options, const sw::NffScene& file,
                           std::vector<sw::NffShape> shapes, const rayTree::Trace& trace);

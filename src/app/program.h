@@ -16,19 +16,19 @@ class Run {
 public:
     explicit Run(Options options) : options(std::move(options)) {}
 
-    /// Reads the scene file, and sets the camera up for the size of the picture.
+    /// Reads the scene file and sets up the camera for the picture's size.
     /// @return  scene and camera; they live as long as the run
-    /// @throws sw::NffError, UsageError for a size that cannot be, sw::FileError where the outcome
-    ///         could not be written
+    /// @throws sw::NffError, UsageError for an invalid size, sw::FileError if the output could not
+    ///         be written
     const sw::NffScene& loadScene();
 
-    /// Renders the picture in the way that the command line asks for, on all threads.
-    /// @param traceRay     radiance along a ray, for ways that place samples themselves
+    /// Renders the picture as the command line says, on all threads.
+    /// @param traceRay     radiance along a ray, for sampling without samplePixel
     /// @param samplePixel  colour of the pixel whose top left corner is (x, y)
     void render(const rayTree::Trace& traceRay,
                 const std::function<sw::Color(int x, int y)>& samplePixel);
 
-    /// Writes the outcome: out.png, or what else was asked for.
+    /// Writes the output: the picture, or what the command line asks for instead.
     /// @throws sw::FileError
     void write();
 
@@ -45,6 +45,6 @@ private:
     StopWatch watch;
 };
 
-/// Reads the command line, takes the steps, and explains a failure by one line on stderr.
+/// Reads the command line, runs the steps, and reports a failure in one line on stderr.
 /// @return  exit code: 0 done, 1 unexpected, 2 command line, 3 scene, 4 output
 int runProgram(int argc, const char* const* argv, const std::function<void(Run&)>& steps);

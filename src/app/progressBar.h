@@ -2,5 +2,5 @@
 
 #include <functional>
 
-/// A progress bar on stderr, or nothing where stderr is no terminal. Clears itself at the end.
+/// A progress bar on stderr, or nothing if stderr is not a terminal. Clears itself at the end.
 std::function<void(int done, int total)> makeProgressBar(bool quiet);

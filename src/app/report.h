@@ -23,7 +23,7 @@ private:
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
-/// One line on stderr for each.
+/// Prints each warning on a line of stderr.
 void printWarnings(const std::vector<std::string>& warnings);
 
 /// One line: picture, size, samples, threads, wall time, rays, estimated error.

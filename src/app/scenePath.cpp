@@ -6,7 +6,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The folder of the running program, or nothing where the host does not tell.
+// The folder of the running program, or nothing if the system does not tell.
 fs::path programFolder(const char* program) {
     std::error_code none;
     const fs::path self = fs::read_symlink("/proc/self/exe", none);

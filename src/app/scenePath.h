@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-/// Where a scene that comes with the program lies: beside an installed program, or in the source
+/// The path of a scene that comes with the program: beside the installed program, or in the source
 /// tree that it was built from.
 /// @param program  argv[0]
 std::filesystem::path findShippedScene(const char* name, const char* program);

@@ -11,7 +11,7 @@ namespace {
 using sw::RayKind;
 using Json = nlohmann::ordered_json;
 
-// Shadow rays that a surface did not need, as it faces away from the light or scatters nothing.
+// Shadow rays that were not cast: the surface faces away from the light or scatters nothing.
 std::uint64_t shadowRaysLeftOut(const sw::RayCount& rays, const sw::Scene& scene) {
     const std::uint64_t all = rays.shaded() * scene.lights().size(), cast = rays[RayKind::shadow];
     return std::max(all, cast) - cast;

@@ -6,14 +6,14 @@
 namespace sw {
 namespace {
 
-// Whether a normal points below a triangle.
+// Whether a normal points to the back of a triangle.
 bool isBelow(const Vec3* v, const Vec3& normal) {
     const auto side = [v](int i) { return num::toDouble(v[i]) - num::toDouble(v[0]); };
     return dot(cross(side(1), side(2)), num::toDouble(normal)) < 0;
 }
 
-// Many files go round clockwise and yet have normals that point outwards. The order says which side
-// is the front, as the format demands; the normals say how the surface is curved, from either side.
+// In many files the vertices go clockwise, although the normals point outwards. The vertex order
+// decides which side is the front, as in the format; the normals only tell how the surface curves.
 Patch upwardPatch(const Vec3 (&v)[3], Vec3 (&n)[3], const Material& material) {
     if (isBelow(v, n[0]) && isBelow(v, n[1]) && isBelow(v, n[2]))
         for (Vec3& normal : n) normal = -normal;

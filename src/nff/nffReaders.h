@@ -2,7 +2,7 @@
 
 #include "nff/nffShapes.h"
 
-// Each reads one kind of shape; see ReadShape.
+// Each function reads one kind of shape; see ReadShape.
 
 namespace sw {
 

@@ -5,10 +5,10 @@
 
 namespace sw {
 
-// Cutting a polygon into triangles takes quadratic time.
+// Triangulating a polygon takes quadratic time.
 constexpr float mostVertices = 10000;
 
-// Memory grows with the numbers found, not with what the file promises.
+// Memory grows with the numbers read, not with the count that the file claims.
 void NffShapes::readVertices(const char* keyword, bool withNormals, const char* hint) {
     float count;
     tokens.numbers(keyword, &count, 1);

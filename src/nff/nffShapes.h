@@ -12,10 +12,10 @@
 
 namespace sw {
 
-/// What the readers of shapes share: where the text comes from, and where shapes go to.
+/// Shared by the readers of shapes: the tokens that they read and the scene that they fill.
 class NffShapes {
 public:
-    /// @param list  where not null, shapes are noted there as well
+    /// @param list  if not null, all shapes are appended to it as well
     NffShapes(NffTokens& tokens, Scene& scene, std::vector<NffShape>* list)
         : tokens(tokens), scene(scene), list(list), counted(tokens.begin()) {}
 
@@ -31,14 +31,15 @@ public:
     }
 
     /// Reads the vertices of a polygon.
-    /// @param withNormals  whether each has a normal behind it
+    /// @param withNormals  whether a normal follows each vertex
     void readVertices(const char* keyword, bool withNormals, const char* hint);
 
-    /// Notes a shape that is odd and yet can be rendered.
-    /// @param kind  of oddity: what is done about it, and what is counted
+    /// Records a shape that is odd but can be rendered.
+    /// @param what  is wrong with this shape
+    /// @param kind  of oddity: how it is handled, and what is counted
     void warn(const char* statement, const char* what, const char* kind);
 
-    /// What is odd about the shapes read so far: at most one line for each kind of oddity.
+    /// Warnings about the shapes read so far: at most one line for each kind of oddity.
     std::vector<std::string> warnings() const;
 
     NffTokens& tokens;
@@ -56,12 +57,12 @@ private:
 
     Scene& scene;
     std::vector<NffShape>* list;
-    const char* counted;  // up to here ...
-    int line = 1;         // ... lines are counted, for the list alone
+    const char* counted;  // lines are counted up to here, ...
+    int line = 1;         // ... only for the list
     std::vector<Oddity> oddities;
 };
 
-/// Reads a shape. Takes what follows the keyword, which must be the last token taken.
+/// Reads a shape after its keyword, which must be the last token taken.
 using ReadShape = void (*)(NffShapes& shapes, const Material& material);
 
 struct ShapeStatement {

@@ -12,7 +12,7 @@ struct NffToken {
     const char* end() const { return text.data() + text.size(); }
 };
 
-/// Splits the text of a scene file into words and numbers, and says where errors are.
+/// Splits the text of a scene file into words and numbers, and reports errors with positions.
 /// The text must outlive the tokens.
 class NffTokens {
 public:
@@ -24,11 +24,11 @@ public:
     NffToken take();
 
     bool atEnd() const { return next.text.empty(); }
-    /// Whether the next token looks like a number: no statement or keyword does.
+    /// Whether the next token looks like a number. No keyword does.
     bool atNumber() const;
 
     /// Takes the numbers that follow a keyword. They must be finite.
-    /// @param hint  what else to say if there are too few, e.g. "is the radius missing?"
+    /// @param hint  added to the error message if there are too few: "is the radius missing?"
     void numbers(std::string_view keyword, float* values, int count, const char* hint = "") {
         numbers({keyword, count, hint}, 0, values, count);
     }
@@ -44,7 +44,7 @@ public:
     /// Throws NffError with a position in the text. `at` must point into the text or to its end.
     [[noreturn]] void fail(const char* at, const std::string& message) const;
 
-    /// Fails at the last token taken, which is added to the message: ", found '...'".
+    /// Fails at the last token taken, and adds it to the message: ", found '...'".
     [[noreturn]] void failAtLast(const std::string& message) const;
 
     /// "file:line:column: " for a position in the text.
@@ -53,7 +53,7 @@ public:
     /// Where the text starts.
     const char* begin() const { return text.data(); }
 
-    /// The last token taken. Where it ends is the place where something is missing.
+    /// The last token taken. If something is missing, it is missing at this token's end.
     const NffToken& last() const { return previous; }
 
 private:

@@ -7,7 +7,7 @@
 namespace sw {
 namespace {
 
-// A limit against files that ask for absurd amounts of work.
+// Protects against files that ask for absurd amounts of work.
 constexpr float largestSide = 16384;
 
 bool areParallel(const Vec3& u, const Vec3& v) {

@@ -12,7 +12,7 @@ std::ostringstream plainStream() {
 }
 
 std::string plainText(float number) {
-    if (std::isnan(number)) return "nan";  // whatever its sign
+    if (std::isnan(number)) return "nan";  // with either sign
     std::ostringstream stream = plainStream();
     stream << number + 0.0f;
     return stream.str();

@@ -19,7 +19,8 @@ bool isNegative(const Vec3& v) {
     return v[0] < 0 || v[1] < 0 || v[2] < 0;
 }
 
-// What is known to be wrong: on the way down in what a ray starts from, on the way up in all below.
+// Faults that were reported already: on the way down for the ray's start, on the way up for all
+// rays below.
 struct Wrong {
     bool number = false;    // NaN or infinite
     bool negative = false;  // colour
@@ -52,7 +53,7 @@ void checkColor(RayNode& node, Wrong& wrong) {
     wrong.negative = true;
 }
 
-// above: what is wrong with the hit that the ray starts from
+// above: the faults of the hit that the ray starts from
 Wrong mark(RayNode& node, Wrong above, int parentDepth) {
     if (node.isTraced) checkDepth(node, above, parentDepth);
     checkNumber(node, above, "the ray's origin", node.query.ray.orig);

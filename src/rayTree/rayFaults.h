@@ -4,9 +4,9 @@
 
 namespace rayTree {
 
-/// Fills in RayNode::faults of a node and all below it: numbers that are NaN or infinite, negative
-/// colours and a recursion that goes too deep, each only where it first appears. What comes from a
-/// faulty ray further down is no fault of those above.
+/// Fills in RayNode::faults of a node and of all nodes below it: numbers that are NaN or infinite,
+/// negative colours, and a recursion that goes too deep. Each is reported only where it first
+/// appears: a ray is not blamed for a faulty ray below it.
 void markFaults(RayNode& primary);
 
 }  // namespace rayTree

@@ -12,7 +12,7 @@ using namespace sw;
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// How far a ray's direction is off the one to a light, as a sine; 2 where it points away.
+// The sine of the angle between a ray and the direction to a light; 2 if the ray points away.
 double angleTo(const Light& light, const Ray& ray) {
     const glm::dvec3 d = num::toDouble(ray.dir);
     const glm::dvec3 way = num::toDouble(light.position) - num::toDouble(ray.orig);
@@ -25,7 +25,7 @@ bool isTaken(int light, const std::vector<RayNode>& others) {
                        [light](const RayNode& other) { return other.light == light; });
 }
 
-// The function as called for one node, with its children known.
+// Calls the function again for one node whose children are known.
 class Replay {
 public:
     Replay(const RayNode& parent, const Trace& function, const Scene& inScene)
@@ -36,7 +36,7 @@ public:
     void turnOn(std::size_t light) { lights[light].color = scene.lights()[light].color; }
     void turnOff(std::size_t light) { lights[light].color = Color(0, 0, 0); }
 
-    // What comes back where all traced children bring back black, but one brings white.
+    // The colour that comes back if one traced child returns white and the others black.
     std::optional<Color> colorWith(std::size_t whiteChild) {
         std::size_t next = 0;
         whiteWasAsked = false;
@@ -56,7 +56,7 @@ public:
     bool whiteWasAsked = false;
 
 private:
-    // Children are cast in their order, though not all of them in the dark.
+    // Children are cast in order, but without light some of them are not cast.
     std::size_t find(const Ray& ray, std::size_t from) const {
         for (std::size_t i = from; i < node.children.size(); ++i)
             if (isSame(ray, node.children[i].query.ray)) return i;
@@ -110,7 +110,7 @@ void measure(RayNode& node, const Trace& trace, const Scene& scene) {
 int lightOf(const Ray& ray, const std::vector<Light>& lights, const std::vector<RayNode>& others) {
     int best = -1;
     for (const bool taken : {false, true}) {
-        double bestAngle = 1e-3;  // rays made by hand may start somewhat off the surface
+        double bestAngle = 1e-3;  // students' own rays may start slightly off the surface
         for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
             const double angle = angleTo(lights[static_cast<std::size_t>(i)], ray);
             if (isTaken(i, others) != taken || !(angle < bestAngle)) continue;

@@ -12,7 +12,7 @@ struct TooManyRays {};
 
 using Answers = std::function<Answer(std::size_t, const Ray&)>;
 
-// Takes the place of all primitives of a scene. For one thread.
+// Replaces all primitives of a scene. For one thread.
 class Probe : public Primitive {
 public:
     Probe(const Scene& real, Answers givenAnswers, std::vector<Query>& record)
@@ -30,7 +30,7 @@ public:
         return true;
     }
 
-    Color* background = nullptr;  // where not null, set anew with every answer
+    Color* background = nullptr;  // if not null, set with every answer
 
 private:
     const Scene& scene;
@@ -71,7 +71,7 @@ Run replay(const Trace& trace, const Ray& ray, const Scene& scene, int depth,
     Scene stage;
     stage.push(probe);
     for (const Light& light : lights) stage.push(light);
-    // Not setBackground(): that would leave out copies of the scene which the function made.
+    // Not setBackground(): copies of the scene that the function made would not see it.
     probe->background = const_cast<Color*>(&stage.background());
     return call(trace, ray, stage, depth, queries);
 }

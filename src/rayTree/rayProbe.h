@@ -7,43 +7,42 @@
 
 #include "swScene.h"
 
-// Watches what traceRay() does without changing it: the scene that it is handed holds one
-// primitive, which passes every question on to the real scene. Nothing of this is in the way of
-// rendering.
+// Observes traceRay() without changing it: it gets a scene with a single primitive, which records
+// every ray and passes it on to the real scene. Rendering does not use any of this.
 
 namespace rayTree {
 
-/// traceRay(), or another function to be watched.
+/// traceRay(), or another function to observe.
 using Trace = std::function<sw::Color(const sw::Ray&, const sw::Scene&, int depth)>;
 
-/// A function that asks more often than this is stopped: it does not seem to end by itself.
+/// A function that casts more rays than this is stopped: its recursion seems endless.
 constexpr std::size_t mostRays = 2000;
 
-/// What was asked of the scene, and the nearest hit in truth, whatever the answer was.
+/// A ray that the function cast, and its true nearest hit, whatever Answer it got.
 struct Query {
     sw::Ray ray;
     bool isHit = false;
-    sw::Intersection hit;  ///< means nothing without a hit
+    sw::Intersection hit;  ///< undefined without a hit
 };
 
-/// What happened in one call of the function.
+/// The record of one call of the function.
 struct Run {
-    std::optional<sw::Color> color;  ///< what came back; none where it was stopped
-    std::vector<Query> queries;      ///< one after the other
+    std::optional<sw::Color> color;  ///< the result; none if it was stopped
+    std::vector<Query> queries;      ///< in the order of the calls
 };
 
-/// Calls the function with the scene as it is: color and rays are those of the picture.
+/// Calls the function with the scene unchanged: color and rays are those of the picture.
 Run watch(const Trace& trace, const sw::Ray& ray, const sw::Scene& scene, int depth);
 
-/// What a ray is told that it hits.
+/// The answer that a ray gets.
 enum class Answer {
     truth,
-    nothing,      ///< nothing, before a black background
-    whiteNothing  ///< nothing, before a white background
+    nothing,      ///< a miss, with a black background
+    whiteNothing  ///< a miss, with a white background
 };
 
-/// Calls the function before a black background and with some lights instead of the scene's.
-/// @param answer  what to answer the ray with that number, counted from 0; called in order
+/// Calls the function with a black background and other lights than the scene's.
+/// @param answer  gives the answer to each ray by its number, from 0; called in order
 Run replay(const Trace& trace, const sw::Ray& ray, const sw::Scene& scene, int depth,
            const std::vector<sw::Light>& lights,
            const std::function<Answer(std::size_t, const sw::Ray&)>& answer);

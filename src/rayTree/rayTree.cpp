@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    // Fills in a traced node and all below it.
+    // Fills in a traced node and all nodes below it.
     void follow(RayNode& node, int depth, const Run& run) {
         node.depth = depth;
         node.color = run.color;
@@ -69,23 +69,23 @@ private:
         parent.children.push_back(std::move(node));
     }
 
-    // Whether the function forgot to decrease the depth: then more rays followed than otherwise
-    // would.
+    // Whether the function forgot to decrease the depth: more rays followed than the lower depth
+    // allows.
     bool isSameDepth(const Run& lower, const Run& same) const {
         if (!fits(same)) return false;
         if (!same.color && !lower.color) return neverDecreases;
         return !fits(lower) || same.queries.size() > lower.queries.size();
     }
 
-    // Whether a ray without a weight was traced all the same: by the rays that follow it or, where
-    // there would be none, by where it goes.
+    // Whether a ray of weight 0 was traced nevertheless. The rays that follow it tell; if none
+    // could follow, its direction does.
     bool looksTraced(const RayNode& node, const Run& run) const {
         if (!fits(run)) return false;
         if (run.queries.size() > 1) return true;
         return node.query.ray.kind != RayKind::shadow && node.light < 0;
     }
 
-    // Whether these rays are what was cast next.
+    // Whether these rays are the next ones in the record.
     bool fits(const Run& run) const {
         for (std::size_t i = 0; i < run.queries.size(); ++i) {
             if (place + i >= recorded.size()) return !tree.ends;
@@ -110,9 +110,9 @@ private:
 
     const Trace& trace;
     const Scene& scene;
-    std::vector<Query> recorded;  // as it happened
-    bool neverDecreases = false;  // the depth, and yet ends at 0
-    std::size_t place = 0;        // of the next ray in that
+    std::vector<Query> recorded;  // of the real call
+    bool neverDecreases = false;  // the depth, but ends at 0
+    std::size_t place = 0;        // of the next ray in `recorded`
     RayTree tree;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 using namespace sw;
 
-// One number where all channels agree.
+// A single number if all channels are equal.
 std::string weightText(const Color& w) {
     const bool grey = w[0] == w[1] && w[1] == w[2];
     return grey || (std::isnan(w[0]) && std::isnan(w[1]) && std::isnan(w[2])) ? plainText(w[0])
@@ -33,7 +33,7 @@ public:
     Writer(const Scene& inScene, const ShapeNames& shapeNames)
         : scene(inScene), names(shapeNames) {}
 
-    // first, rest: what stands before the first line and before all others
+    // first, rest: prefix of the first line, and of all other lines
     void write(const RayNode& node, const RayNode* parent, const std::string& first,
                const std::string& rest) {
         const std::string below = rest + (node.children.empty() ? "   " : "|  ");
@@ -41,7 +41,7 @@ public:
         line(first, headline(node, parent));
         line(below, "from " + plainText(ray.orig) + " towards " + plainText(ray.dir) + range(ray));
         if (!node.asked)
-            line(below, "what it hits was never asked");
+            line(below, "never intersected with the scene");
         else if (node.isTraced || node.query.isHit)
             line(below, hitText(node.query));
         if (node.isTraced && node.query.isHit) writeOtherLight(node, below);
@@ -92,7 +92,7 @@ private:
         return turnedBack ? " (total internal reflection)" : "";
     }
 
-    // What the material says, where the weight is something else.
+    // The material's weight, if the measured weight differs.
     static std::string disagreement(const RayNode& node, const RayNode& parent) {
         if (!parent.query.isHit) return "";
         const Material& material = parent.query.hit.material;
@@ -110,7 +110,7 @@ private:
         return " (the material says " + r + ")";
     }
 
-    // Only where it is not from 0 to infinity.
+    // Empty for the range from 0 to infinity.
     static std::string range(const Ray& ray) {
         std::string limits;
         if (ray.minT != 0) limits += ", from t = " + plainText(ray.minT);
@@ -126,7 +126,7 @@ private:
                plainText(hit.normal);
     }
 
-    // What adds to the colour without any ray.
+    // Parts of the colour that come without any ray.
     void writeOtherLight(const RayNode& node, const std::string& indent) {
         for (std::size_t i = 0; i < node.lightAdds.size(); ++i) {
             const bool asked = std::any_of(
@@ -151,11 +151,11 @@ std::string describe(const RayTree& tree, const Scene& scene, const ShapeNames& 
     writer.write(tree.primary, nullptr, "", "");
     if (!tree.ends)
         writer.result += "!! stopped after " + std::to_string(tree.cast) +
-                         " rays, of which these are the first: does the depth decrease with every "
+                         " rays, of which these are the first: does the depth decrease in every "
                          "call, and does the recursion end at 0? If so, try a smaller --depth\n";
     else if (!tree.isFaithful)
         writer.result += "!! traceRay() cast " + std::to_string(tree.cast) +
-                         " rays, and not all as above: it does not do the same when called again\n";
+                         " rays, but not exactly these: repeated calls behave differently\n";
     return writer.result;
 }
 

@@ -8,7 +8,7 @@
 namespace rayTree {
 
 /// The tree as text, two or three lines for every ray, its rays indented below it.
-/// @param scene  in which it was grown
+/// @param scene  the tree's scene
 std::string describe(const RayTree& tree, const sw::Scene& scene, const ShapeNames& names);
 
 }  // namespace rayTree

@@ -27,7 +27,7 @@ std::string ShapeNames::hitBy(const Ray& ray, const Intersection& hit) const {
         Intersection candidate;
         if (!shape.primitive->intersect(ray, candidate) || candidate.hitT != hit.hitT) continue;
         if (isSameHit(candidate, hit)) return describe(shape);
-        if (!found) found = &shape;  // unless one agrees in all
+        if (!found) found = &shape;  // unless another matches exactly
     }
     return found ? describe(*found) : "something that is not in the scene file";
 }

@@ -171,7 +171,7 @@ TEST_CASE("the tree is the same for any number of threads") {
     CHECK(std::equal(one.order().begin(), one.order().end(), several.order().begin()));
 }
 
-TEST_CASE("for every octant the children stand in order, the nearest last") {
+TEST_CASE("the children are sorted for every octant, the nearest last") {
     Random random(GENERATE(range(0u, 20u)));
     const auto boxes = randomBoxes(random, Kind::scattered, random.whole(1, 2000), 1);
     const Bvh bvh(boxes, 4);
@@ -204,7 +204,7 @@ TEST_CASE("leaves are reached in the order of their distance") {
     }
 }
 
-TEST_CASE("rays without a place or an interval visit nothing") {
+TEST_CASE("rays that are not finite or have an empty interval visit nothing") {
     const auto boxes = terrain(10);
     const Bvh bvh(boxes);
     for (const float bad : {inf, -inf, NAN})
@@ -221,7 +221,7 @@ TEST_CASE("rays without a place or an interval visit nothing") {
     CHECK(costOfMiss(bvh, Ray({0.5f, 0.5f, 3}, {0, 0, -1}, NAN, 1)).nodes == 0);
 }
 
-TEST_CASE("a tree of nothing is no trouble") {
+TEST_CASE("an empty tree finds nothing") {
     for (const Bvh& bvh : {Bvh(), Bvh(std::vector<Bounds>())}) {
         CHECK(bvh.order().empty());
         CHECK(bvh.tree().empty());
@@ -231,7 +231,7 @@ TEST_CASE("a tree of nothing is no trouble") {
     REQUIRE_THROWS_AS(Bvh({}, 9), std::invalid_argument);
 }
 
-TEST_CASE("a direction whose reciprocal overflows still reaches what it meets") {
+TEST_CASE("a direction whose reciprocal overflows still finds its hits") {
     const std::vector<Bounds> boxes = {{{1e-6f, -1, 0}, {2e-6f, 1, 3}}};
     const Bvh bvh(boxes);
     for (const float minT : {0.0f, -1.0f}) {

@@ -168,7 +168,7 @@ TEST_CASE("the first pass is finished, however short the time", "[adaptive]") {
     CHECK(result.estimatedRmse > 0.01);
 }
 
-TEST_CASE("rendering ends when the time is over or the caller says so", "[adaptive]") {
+TEST_CASE("rendering ends when the time is up or the caller says so", "[adaptive]") {
     AdaptiveOptions options;
     std::vector<AdaptiveProgress> seen;
     SECTION("time") {
@@ -200,14 +200,14 @@ TEST_CASE("rendering ends when the time is over or the caller says so", "[adapti
     }
 }
 
-TEST_CASE("colours brighter than white need no samples to be told apart", "[adaptive]") {
+TEST_CASE("differences above white are not refined", "[adaptive]") {
     const AdaptiveResult result =
         rendered([](float x, float) { return grey(x < 30.5f ? 3.f : 9.f); }, tolerance(0.01f));
     CHECK(result.samples < size * size + 2000);
     CHECK(result.estimatedRmse < 0.01);
 }
 
-TEST_CASE("radiance that is not finite costs no endless refinement", "[adaptive]") {
+TEST_CASE("radiance that is not finite is not refined without end", "[adaptive]") {
     const float value = GENERATE(std::numeric_limits<float>::quiet_NaN(),
                                  std::numeric_limits<float>::infinity(), 3e38f, -3e38f);
     CAPTURE(value);

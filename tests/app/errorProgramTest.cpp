@@ -10,7 +10,7 @@ const std::string lab = "--quiet --size 48x48 ";
 
 }  // namespace
 
-TEST_CASE("every render of two samples and more tells its estimated error") {
+TEST_CASE("every render with two samples or more prints its estimated error") {
     const double two = numberOf(statsOf(lab + "--samples 2"), "estimated_rmse");
     const double five = numberOf(statsOf(lab + "--samples 5"), "estimated_rmse");
     CHECK((0.001 < five && five < two && two < 0.2));
@@ -40,7 +40,7 @@ TEST_CASE("an adaptive picture depends on its tolerance and not on threads") {
     CHECK((picture(lab + "--adaptive 0.05 --seed 2") != one));
 }
 
-TEST_CASE("an adaptive picture ends at the error that was asked for") {
+TEST_CASE("an adaptive picture ends at the target error") {
     const double target = GENERATE(0.02, 0.01, 0.005);
     const std::string stats = statsOf(lab + "--target-rmse " + std::to_string(target));
     const double rmse = numberOf(stats, "estimated_rmse");

@@ -35,7 +35,7 @@ TEST_CASE("2 for a size that makes no picture") {
     checkFailure(2, "--size=" + size, "--size: expected WIDTHxHEIGHT, each from 1 to 16384");
 }
 
-TEST_CASE("2 for numbers out of range and for what is no number") {
+TEST_CASE("2 for numbers out of range and text that is not a number") {
     const auto [option, value] = GENERATE(table<std::string, std::string>({{"--samples", "0"},
                                                                            {"--samples", "-1"},
                                                                            {"--samples", "257"},
@@ -55,7 +55,7 @@ TEST_CASE("2 for numbers out of range and for what is no number") {
     checkFailure(2, tiny + option + "=" + value, option);
 }
 
-TEST_CASE("2 for a crop that lies outside the picture or is no window") {
+TEST_CASE("2 for a crop that is outside the picture or malformed") {
     for (const std::string crop : {"0,0,0,5", "5,0,5,9", "5,0,4,9", "0,9,5,9", "-1,0,5,5",
                                    "0,-1,5,5", "0,0,5", "0,0,5,5,5", "0,0,5,x"})
         checkFailure(2, tiny + "--crop=" + crop, "--crop");
@@ -71,7 +71,7 @@ TEST_CASE("2 for two ways of sampling at once") {
     checkFailure(2, "--corners --sampler grid", "--corners: expected no --sampler beside it");
 }
 
-TEST_CASE("2 for errors and times that are no positive numbers") {
+TEST_CASE("2 for errors and times that are not positive numbers") {
     for (const std::string way : {"--adaptive", "--target-rmse", "--time-limit"})
         for (const std::string value : {"0", "-1", "x", "nan", "inf"})
             checkFailure(2, way + "=" + value, way);
@@ -83,7 +83,7 @@ TEST_CASE("2 for an error image without an error estimate") {
     checkFailure(2, "--sampler sobol", "--sampler");
 }
 
-TEST_CASE("2 for samples where rays go through corners") {
+TEST_CASE("2 for samples beside rays at corners") {
     checkFailure(2, "--corners --samples 3", "--corners: expected no --samples beside it");
     checkFailure(2, "--samples 1 --corners", "--corners: expected no --samples beside it");
 }
@@ -106,7 +106,7 @@ TEST_CASE("3 for a scene that is missing unreadable or malformed") {
     checkFailure(folder, 3, "bad.nff", "bad.nff:2:1: expected a material");
 }
 
-TEST_CASE("4 for an output folder that is missing or no folder") {
+TEST_CASE("4 for an output folder that is missing or not a folder") {
     const TemporaryFolder folder;
     makeFile(folder / "file", "x");
     for (const std::string option : {"-o ", "--output=", "--stats "}) {
@@ -117,7 +117,7 @@ TEST_CASE("4 for an output folder that is missing or no folder") {
     CHECK(contentOf(folder / "file") == "x");
 }
 
-TEST_CASE("an empty name of a file is a mistake of the command line or the output") {
+TEST_CASE("an empty file name is an error of the command line or the output") {
     const TemporaryFolder folder;
     const Run run = swtracer(folder, tiny + "-o \"\"");
     CAPTURE(run.err);

@@ -27,7 +27,7 @@ TEST_CASE("without arguments it renders the lab scene wherever it is started") {
     CHECK((png == picture(named)));
 }
 
-TEST_CASE("the size is what the scene says unless it is given") {
+TEST_CASE("the scene sets the size unless the command line does") {
     const PngStructure fromScene(picture(oneTriangle + "--quiet --samples 1"));
     CHECK((fromScene.width == 512 && fromScene.height == 512));
     const PngStructure given(picture(oneTriangle + "--quiet --samples 1 --size 31x7"));
@@ -104,7 +104,7 @@ TEST_CASE("a crop is the same window of the full picture byte for byte") {
 }
 #endif
 
-TEST_CASE("the statistics tell size options and ray counts") {
+TEST_CASE("the statistics hold size options and ray counts") {
     const std::string json = statsOf(
         mirrors + "--quiet --size 20x10 --samples 3 --depth 2 --threads 1 --seed 5 -o a.png");
     CHECK(json.substr(0, 2) == "{\n");
@@ -131,7 +131,7 @@ TEST_CASE("the statistics tell size options and ray counts") {
     CHECK(std::fabs(numberOf(json, "total") - sum) <= 1e-4 * sum);
 }
 
-TEST_CASE("the rays of a picture are exactly those that it needs") {
+TEST_CASE("a picture takes exactly the rays that it needs") {
     // A lone triangle that faces the light: every hit sends one shadow ray.
     const std::string json = statsOf(oneTriangle + "--quiet --size 30x20 -o a.png");
     CHECK(numberOf(json, "primary") == 30 * 20 * 9);
@@ -146,7 +146,7 @@ TEST_CASE("the rays of a picture are exactly those that it needs") {
     CHECK(numberOf(crop, "height") == 7);
 }
 
-TEST_CASE("rays at corners make a picture that depends on nothing but the scene and its size") {
+TEST_CASE("a picture from corner rays depends on the scene and its size alone") {
     const std::string arguments = mirrors + "--quiet --size 24x16 --corners ";
     const std::string one = picture(arguments + "--threads 1");
     CHECK((picture(arguments + "--threads 2") == one));
@@ -155,7 +155,7 @@ TEST_CASE("rays at corners make a picture that depends on nothing but the scene 
     CHECK((picture(mirrors + "--quiet --size 24x16 --samples 1") != one));
 }
 
-TEST_CASE("rays at corners are counted once and make one sample per pixel") {
+TEST_CASE("corner rays are counted once and make one sample per pixel") {
     const std::string arguments = mirrors + "--corners --size 24x16 ";
     const std::string whole = statsOf(arguments + "-o a.png");
     CHECK(numberOf(whole, "primary") == 25 * 17);
@@ -167,7 +167,7 @@ TEST_CASE("rays at corners are counted once and make one sample per pixel") {
     CHECK(swtracer(folder, arguments).out.find("  24x16  1 spp  ") != std::string::npos);
 }
 
-TEST_CASE("warnings about the scene are lines on stderr unless they are not wanted") {
+TEST_CASE("warnings about the scene go to stderr unless --quiet is given") {
     const TemporaryFolder folder;
     makeFile(folder / "odd.nff",
              contentOf(fs::path(SW_SCENES) / "one-triangle.nff") + "\nc 0 0 0 1 0 0 0 1\n");
@@ -186,7 +186,7 @@ TEST_CASE("the scene may come before and after any option") {
     CHECK((picture(small + option + " " + mirrors) == picture(mirrors + small + option)));
 }
 
-TEST_CASE("help and version are answers and not errors") {
+TEST_CASE("help and version are not errors") {
     const TemporaryFolder folder;
     const Run help = swtracer(folder, "--help");
     CHECK(help.code == 0);

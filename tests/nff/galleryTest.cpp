@@ -43,7 +43,7 @@ TEST_CASE("the dull column has eight flat sides, each turned a sixteenth further
     }
 }
 
-TEST_CASE("the lantern's light leaves its ball, passes between the posts and not through them") {
+TEST_CASE("the lantern's light leaves its ball and passes only between the posts") {
     const Scene scene = shipped("shadows");
     const Vec3 light = scene.lights()[0].position;
     for (int post = 0; post < 12; ++post) {
@@ -56,7 +56,7 @@ TEST_CASE("the lantern's light leaves its ball, passes between the posts and not
     CHECK(sees(scene, ball.position, light));
 }
 
-TEST_CASE("the two mirrors pass a ray to and fro") {
+TEST_CASE("the two mirrors reflect a ray back and forth") {
     const Scene scene = shipped("mirrors");
     Ray ray(Vec3(2, 6, 0), Vec3(0, 0, -1));
     for (int bounce = 0; bounce < 10; ++bounce) {
@@ -152,7 +152,7 @@ TEST_CASE("the notches of star, gear and spiral are open") {
     for (const float x : {0.1f, 0.7f, 1.35f, 2.4f}) CHECK_FALSE(isCard({x, 1.75f, 0}));
 }
 
-TEST_CASE("the six lamps add up to white, and each ball takes each of them from a spot") {
+TEST_CASE("the six lights add up to white, and each ball shadows a spot from each of them") {
     const Scene scene = shipped("lights");
     REQUIRE(scene.lights().size() == 6);
     Color sum(0, 0, 0);

@@ -135,7 +135,7 @@ TEST_CASE("values out of range are reported where they are") {
     });
 }
 
-TEST_CASE("the view is complete and in order") {
+TEST_CASE("a view that is incomplete or out of order is an error") {
     const std::string full =
         "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 8 8\n";
     const std::vector<std::string> words = {"from", "at", "up", "angle", "hither", "resolution"};
@@ -156,7 +156,7 @@ TEST_CASE("the view is complete and in order") {
     }
 }
 
-TEST_CASE("the view makes sense") {
+TEST_CASE("a view that makes no sense is an error") {
     const auto with = [](const std::string& from, const std::string& up, const std::string& angle,
                          const std::string& resolution) {
         return "\n v from " + from + " at 1 2 3 up " + up + "\nangle " + angle +
@@ -185,7 +185,7 @@ TEST_CASE("the view makes sense") {
     CHECK(nffErrorOf(with("0 0 0", "0 1 0", "179.99", "16384 16384")).empty());
 }
 
-TEST_CASE("there is one view") {
+TEST_CASE("a second view is an error") {
     checkErrors({{"\n  " + good, "4:3: expected one view, found a second 'v'"}});
     const std::string message = "expected a view ('v') in the file, found none";
     checkErrors({{"", "1:1: " + message},

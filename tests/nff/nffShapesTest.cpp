@@ -101,7 +101,7 @@ TEST_CASE("a polygon of any shape is hit inside its outline alone") {
     const Scene scene = sceneOf(polygonText(polygon));
     int wrong = 0;
     for (int i = 0; i < 300; ++i) {
-        // Around a corner, where something is to be seen.
+        // Near a corner, where the outline matters.
         const Vec3 corner = polygon[static_cast<std::size_t>(
             random.whole(0, static_cast<int>(polygon.size()) - 1))];
         const Vec3 p = corner + Vec3(random.real(-1, 1), random.real(-1, 1), 0);
@@ -140,7 +140,7 @@ TEST_CASE("every corner of a patch has its own normal, whatever its shape") {
     }
 }
 
-TEST_CASE("normals count from the other side of a patch that goes round clockwise") {
+TEST_CASE("a clockwise patch has its normals turned to the front") {
     const auto seed = GENERATE(range(0u, 30u));
     CAPTURE(seed);
     Random random(seed);

@@ -86,7 +86,7 @@ TEST_CASE("bad colours are marked at the deepest rays that bring them and nowher
         Random random(seed);
         const Scene scene = randomRoom(random);
         const RayTree tree = growTree(trace, randomLook(random), scene, 4);
-        // A poisoned hit is where it begins unless one lies below.
+        // A fault begins at a poisoned hit unless there is another below it.
         const std::function<bool(const RayNode&)> check = [&](const RayNode& node) {
             bool below = false;
             for (const RayNode& child : node.children) below |= check(child);
@@ -104,7 +104,7 @@ TEST_CASE("bad colours are marked at the deepest rays that bring them and nowher
     CHECK(shared > 10);
 }
 
-TEST_CASE("a hit record with NaN is the fault of the hit alone") {
+TEST_CASE("a hit record with NaN is reported at the hit alone") {
     Scene scene;
     scene.push(std::make_shared<Broken>(Material(Color(1, 1, 1), 0.5f)));
     scene.push(Light(Vec3(0, 0, 5)));
@@ -168,7 +168,7 @@ TEST_CASE("a recursion that does not end is stopped and its first rays are shown
         CHECK(faults[0] == "the depth was used up already, and yet this ray was cast");
 }
 
-TEST_CASE("a depth that takes too many rays is no fault") {
+TEST_CASE("a depth that takes too many rays is not a fault") {
     const float t = GENERATE(0.f, 0.3f);
     const Scene scene = insideOf(Material(Color(1, 1, 1), 0.5f, t, 1.5f));
     const RayTree tree = growTree(Student(), down, scene, 5000);
@@ -201,7 +201,7 @@ TEST_CASE("one reflection too many is marked at that ray") {
     CHECK(faultsOf(tree).size() == 1);
 }
 
-TEST_CASE("a function that does something else each time is told apart") {
+TEST_CASE("a function that behaves differently each time is detected") {
     const bool otherNumber = GENERATE(false, true);
     int calls = 0;
     const rayTree::Trace fickle = [&](const Ray& ray, const Scene& scene, int) {

@@ -105,7 +105,7 @@ TEST_CASE("every shape is named by what it is and where it stands in the file") 
     CHECK(has(lookAt(f), "hits nothing"));
 }
 
-TEST_CASE("shapes of a tree are named like a few") {
+TEST_CASE("shapes in a tree are named like those in a linear scan") {
     std::ostringstream spheres;
     for (int i = 0; i < 100; ++i) spheres << "s " << i - 50 << " 0 -3 0.4\n";
     CHECK(has(lookAt("f 1 1 1 1 0 0 0 1\n" + spheres.str()),
@@ -113,7 +113,7 @@ TEST_CASE("shapes of a tree are named like a few") {
               "(0, 0, -2.6), normal (0, 0, 1)"));
 }
 
-TEST_CASE("of two shapes in one place the one is named whose colour is seen") {
+TEST_CASE("if two shapes coincide the one whose colour is seen is named") {
     const std::string tree = lookAt(
         "l 0 0 9\nf 1 0 0 1 0 0 0 1\npp 3 -1 -1 0 0 0 1 1 -1 0 0 0 1 0 1 0 0 0 1\n"
         "f 0 1 0 1 0 0 0 1\np 3 -1 -1 0 1 -1 0 0 1 0\n");
@@ -122,7 +122,7 @@ TEST_CASE("of two shapes in one place the one is named whose colour is seen") {
     CHECK(has(tree, "colour (1, 0, 0)") == has(tree, "hits patch (line 5, "));
 }
 
-TEST_CASE("of lights in one direction each has a shadow ray of its own") {
+TEST_CASE("each of two lights in one direction has its own shadow ray") {
     const std::string tree = lookAt("l 0 0 9\nl 0 0 20\nl 0 0 5\nf 1 1 1 1 0 0 0 1\ns 0 0 0 1\n");
     CAPTURE(tree);
     CHECK((count(tree, "light 1 at") == 1 && count(tree, "light 2 at") == 1));
@@ -146,7 +146,7 @@ TEST_CASE("2 for a pixel outside of the picture") {
         checkRefused("\"--pixel=" + at + "\"", "--pixel");
 }
 
-TEST_CASE("2 for what makes a picture beside a look into a pixel") {
+TEST_CASE("2 for options of a picture beside --pixel") {
     for (const std::string other :
          {"-o a.png", "--samples 2", "--sampler grid", "--adaptive 0.1", "--target-rmse 0.1",
           "--time-limit 1", "--corners", "--threads 1", "--crop 0,0,1,1", "--quiet",

@@ -105,7 +105,7 @@ TEST_CASE("the tree explains colours and weights of random scenes") {
     CHECK(wrongParents(tree) == 0);
 }
 
-TEST_CASE("rays that students make themselves are told apart by what comes of them") {
+TEST_CASE("rays that students make themselves are told apart by their effect") {
     const Student student = anyStudent();
     Random random(GENERATE(range(0u, 25u)));
     const Scene scene = randomRoom(random);
@@ -133,19 +133,19 @@ TEST_CASE("rays of weight 0 are followed like all others") {
     CHECK(unexplained(growTree(student, ray, scene, 2)) < 1e-5);
 }
 
-TEST_CASE("a ray that goes to a light by chance is no shadow ray") {
+TEST_CASE("a ray that goes to a light by chance is not taken for a shadow ray") {
     Student student;
     student.ownRays = true;
     student.testsWeight = false;
     const float r = GENERATE(0.f, 0.5f);
     const bool blocked = GENERATE(false, true);
-    if (r == 0 && !blocked) return;  // then nothing tells them apart
+    if (r == 0 && !blocked) return;  // then they cannot be told apart
     Scene scene;
     scene.push(Sphere(Vec3(0, 0, 0), 3, Material(Color(1, 1, 1), r)));
     if (blocked) scene.push(Sphere(Vec3(0, 0, 30), 1, Material(Color(1, 1, 1))));
     scene.push(Light(Vec3(0, 0, 40)));
     scene.setBackground(Color(1, 1, 1));
-    const Ray ray(Vec3(0, 0, 9), Vec3(0, 0, -1));  // which comes back the way that it came
+    const Ray ray(Vec3(0, 0, 9), Vec3(0, 0, -1));  // it comes back the same way
     CAPTURE(r, blocked);
     CHECK(isWhatHappens(student, ray, scene, 1));
     const RayTree tree = growTree(student, ray, scene, 1);
@@ -197,7 +197,7 @@ TEST_CASE("two equal rays have a weight each") {
     CHECK(isSame(tree.primary.children[1].weight, Color(0.5f, 0.5f, 0.5f)));
 }
 
-TEST_CASE("light without a shadow ray and light from nowhere are told") {
+TEST_CASE("light without a shadow ray and light from nowhere are reported") {
     Student student;
     student.testsShadow = false;
     Scene scene;

@@ -26,7 +26,7 @@ const Ray ray(Vec3(1, 0, 9), Vec3(0, 0, -1), 0, FLT_MAX, sw::RayKind::primary);
 
 }  // namespace
 
-TEST_CASE("a weight stands alone where it is the material's") {
+TEST_CASE("a weight that is the material's stands alone") {
     for (const bool ownRays : {false, true}) {
         Student student;
         student.ownRays = ownRays;
@@ -38,7 +38,7 @@ TEST_CASE("a weight stands alone where it is the material's") {
     }
 }
 
-TEST_CASE("a weight that is not the material's is shown beside it") {
+TEST_CASE("a weight that differs from the material's is shown with it") {
     Student student;
     student.indexAsWeight = true;
     CHECK(has(told(student, ray, ball(), 1),
@@ -56,7 +56,7 @@ TEST_CASE("a weight that is not the material's is shown beside it") {
               "reflected ray, weight (0.5, 1, 1) (the material says reflectivity 0.2)"));
 }
 
-TEST_CASE("total internal reflection is called so and may be a reflected ray") {
+TEST_CASE("total internal reflection is named and may be a reflected ray") {
     const Material glass(Color(1, 1, 1), 0.2f, 0.75f, 1.5f);
     const Ray steep(Vec3(2.5f, 0, 0), Vec3(0, 0, -1));  // inside
     CHECK_FALSE(has(told(Student(), ray, ball(glass), 1), "total"));
@@ -80,7 +80,7 @@ TEST_CASE("total internal reflection is called so and may be a reflected ray") {
     CHECK(has(text, "weight 0.75 (the transparency: total internal reflection?), depth 0: "));
 }
 
-TEST_CASE("faults stand at their ray") {
+TEST_CASE("faults are printed below their ray") {
     const rayTree::Trace poison = [](const Ray& r, const Scene& scene, int depth) {
         return Student()(r, scene, depth) + Color(0, 0, std::sqrt(r.orig[2] - 100));
     };
@@ -90,7 +90,7 @@ TEST_CASE("faults stand at their ray") {
     CHECK(has(text, "\n   !! NaN first appears here, in the colour\n"));
 }
 
-TEST_CASE("a function that does not end is called so") {
+TEST_CASE("a function that does not end is reported") {
     Student student;
     student.decreasesDepth = false;
     Scene scene;
@@ -103,7 +103,7 @@ TEST_CASE("a function that does not end is called so") {
     CHECK(std::count(text.begin(), text.end(), '\n') < 120);
 }
 
-TEST_CASE("a shape that claims a hit at NaN is named though no ray meets it") {
+TEST_CASE("a shape that reports a hit at NaN is named though no ray hits it") {
     const float t = GENERATE(NAN, 3.f);
     Scene scene = ball();
     const auto claim = std::make_shared<Claim>(t);
@@ -115,7 +115,7 @@ TEST_CASE("a shape that claims a hit at NaN is named though no ray meets it") {
     CHECK(has(text, "hits something that is not in the scene file") == std::isnan(t));
 }
 
-TEST_CASE("a light that needs no shadow ray and colour from nowhere have lines of their own") {
+TEST_CASE("light without a shadow ray and colour from nowhere have lines of their own") {
     Student student;
     student.testsShadow = false;
     Scene scene = ball(Material(Color(1, 1, 1)));

@@ -20,7 +20,7 @@ Image cornersOf(const Window& window, int threads) {
 
 }  // namespace
 
-TEST_CASE("every corner is asked for once") {
+TEST_CASE("every corner is sampled once") {
     const Window window{3, 5, 3 + GENERATE(1, 16, 37), 5 + GENERATE(1, 15, 32)};
     std::map<std::pair<int, int>, int> asked;
     std::mutex mutex;
@@ -50,7 +50,7 @@ TEST_CASE("a pixel is the mean of its four corners") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE("options count for corners as for pixels") {
+TEST_CASE("options apply to corners as to pixels") {
     int calls = 0, tiles = 0;
     const RenderResult result = renderCorners(
         {0, 0, 40, 40}, placeColor, {.tileSize = 41, .threads = 3, .progress = [&](int, int total) {
@@ -60,7 +60,7 @@ TEST_CASE("options count for corners as for pixels") {
     CHECK(result.threads == 1);
 }
 
-TEST_CASE("what the corners throw is passed on") {
+TEST_CASE("an exception from a corner is passed on") {
     CHECK_THROWS_AS(renderCorners({0, 0, 8, 8},
                                   [](int x, int) -> Color {
                                       if (x == 8) throw std::runtime_error("corner");

@@ -47,7 +47,7 @@ TEST_CASE("equal samples have no error") {
     CHECK(errorOf(samples, pattern, n).norm() < 1e-6f);
 }
 
-TEST_CASE("there is no estimate without just n x n samples, and at least 2 x 2") {
+TEST_CASE("there is an estimate only for exactly n x n samples, at least 2 x 2") {
     const auto pattern = GENERATE(SamplePattern::jitter, SamplePattern::random);
     const int n = GENERATE(-1, 0, 1, 2, 3);
     const auto count = GENERATE(range(0, 12));
@@ -76,7 +76,7 @@ TEST_CASE("a linear change from cell to cell is no error") {
     CHECK(std::fabs(errorOf(samples, SamplePattern::jitter, n)[1] - expected) < 1e-6);
 }
 
-TEST_CASE("the displayed error is what white and black leave of it") {
+TEST_CASE("the displayed error is limited by white and black") {
     const auto [mean, error, expected] =
         GENERATE(table<float, float, float>({{0.5f, 0.25f, 0.25f},
                                              {0.5f, 0, 0},
@@ -94,10 +94,10 @@ TEST_CASE("the displayed error is what white and black leave of it") {
     CHECK(displayedError(mean, error) == expected);
 }
 
-TEST_CASE("samples are noted for the innermost picture of their own thread") {
+TEST_CASE("samples are recorded for the innermost picture of their own thread") {
     const Color red(1, 0, 0), none(0, 0, 0);
     const auto take = [](const Color& color) { return Color(SampleMean() += color); };
-    CHECK(isSame(take(red), red));  // nobody listens
+    CHECK(isSame(take(red), red));  // no PixelSamples exists
     PixelSamples outer(SamplePattern::random, 2);
     take(red);
     {
@@ -142,7 +142,7 @@ TEST_CASE("errors are the same for any threads, tiles and crop") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE("pictures have no estimate unless they note their samples, and four of each pixel") {
+TEST_CASE("pictures have an estimate only with four or more recorded samples per pixel") {
     const auto [noted, told] = GENERATE(table<int, int>({{0, 2}, {1, 1}, {2, 0}, {2, 3}}));
     CAPTURE(noted, told);
     const RenderResult picture = render({0, 0, 9, 9}, noisyPixels(noted), {.samples = told});
@@ -158,7 +158,7 @@ TEST_CASE("a picture made of corners has no estimate") {
     CHECK((isNone(picture.errors.at(0, 0)) && isNone(picture.errors.at(8, 8))));
 }
 
-TEST_CASE("the error in code values is the way from the mean down by the error") {
+TEST_CASE("the error in code values counts from the mean downwards") {
     Image image(1, 1), errors(1, 1);
     image.at(0, 0) = Color(0.25f, 0.0625f, 9);
     errors.at(0, 0) = Color(0.125f, 0.125f, 0.25f);
@@ -168,7 +168,7 @@ TEST_CASE("the error in code values is the way from the mean down by the error")
                     std::sqrt((red * red + green * green + blue * blue) / 3)) < 1e-3);
 }
 
-TEST_CASE("the lab's samplePixel notes every sample") {
+TEST_CASE("the lab's samplePixel records every sample") {
     const int n = GENERATE(2, 3, 5);
     Camera camera(Vec3(0, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0), 90, 1);
     camera.setup(8, 8);

@@ -75,7 +75,7 @@ TEST_CASE("a grid is made of the centres of its cells") {
     }
 }
 
-TEST_CASE("a single sample is the pixel's centre, but for random") {
+TEST_CASE("a single sample is the pixel's centre, except with random") {
     const auto pattern = GENERATE(SamplePattern::jitter, SamplePattern::grid, SamplePattern::random,
                                   SamplePattern::multiJitter);
     const SamplePoint p = pointsOf(pattern, 1, 1).front();
@@ -99,7 +99,7 @@ TEST_CASE("samples are uniform over the pixel") {
     CHECK(*most < perPart + 60);
 }
 
-TEST_CASE("samples depend on seed and pixel alone, and do depend on them") {
+TEST_CASE("samples depend on seed and pixel, and on nothing else") {
     const auto pattern =
         GENERATE(SamplePattern::jitter, SamplePattern::random, SamplePattern::multiJitter);
     CAPTURE(patternNames[static_cast<std::size_t>(pattern)]);
@@ -133,7 +133,7 @@ TEST_CASE("jitter gives the picture of the lab's samplePixel to the last bit") {
     CHECK(distance(expected, color) == 0);
 }
 
-TEST_CASE("errors at edges fall as theory says") {
+TEST_CASE("errors at edges fall as theory predicts") {
     // Independent samples: variance p (1 - p) / N. Jitter: an edge cuts some sqrt(N) of the N
     // cells, so that the variance of the mean is like sqrt(N) / N^2 (Mitchell, Consequences of
     // Stratified Sampling in Graphics, 1996).

@@ -100,7 +100,7 @@ TEST_CASE("base64 agrees with the vectors of RFC 4648") {
     CHECK(base64(std::string("\xfb\xff\xfe\0", 4)) == "+//+AA==");
 }
 
-TEST_CASE("text in a page is text whatever it holds") {
+TEST_CASE("any text in a page is escaped") {
     CHECK(escaped("a<b> & \"c\"") == "a&lt;b&gt; &amp; &quot;c&quot;");
     CHECK(htmlTable({{"<", "n"}, {"a", "1"}}, 1).find("<th>&lt;</th>") != std::string::npos);
 }
@@ -130,7 +130,7 @@ TEST_CASE("the CSV has a row for every method and setting, and all of its number
     }
 }
 
-TEST_CASE("the page needs nothing but itself") {
+TEST_CASE("the page is self-contained") {
     const TemporaryFolder folder;
     study(folder);
     const std::string page = contentOf(folder.path / "out" / "index.html");

@@ -4,7 +4,7 @@
 
 using namespace test;
 
-TEST_CASE("the program writes what it is asked for, to the standard output or to a file") {
+TEST_CASE("the program writes the scene to standard output or to a file") {
     const TemporaryFolder folder;
     const Run printed = runProgram(SW_GENERATOR, folder, "tetra --size 2");
     CHECK((printed.code == 0 && printed.err.empty()));
@@ -20,7 +20,7 @@ TEST_CASE("the program writes what it is asked for, to the standard output or to
         CHECK(help.out.find(std::string("\n  ") + scene.name) != std::string::npos);
 }
 
-TEST_CASE("the program refuses what it cannot make, in one line") {
+TEST_CASE("the program refuses invalid arguments in one line") {
     const TemporaryFolder folder;
     const std::string arguments = GENERATE(
         "", "rings", "balls --size 7", "balls --size -1", "tetra --size 0", "tetra --size 11",
@@ -33,7 +33,7 @@ TEST_CASE("the program refuses what it cannot make, in one line") {
     CHECK(lines(run.err) == 1);
 }
 
-TEST_CASE("an output that cannot be written is refused, and nothing left behind") {
+TEST_CASE("an output that cannot be written is refused and nothing is left behind") {
     const TemporaryFolder folder;
     const Run run = runProgram(SW_GENERATOR, folder, "--output no/such/folder.nff mount");
     CHECK(run.code == 4);

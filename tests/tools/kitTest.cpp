@@ -86,9 +86,9 @@ TEST_CASE("main.cpp can be read at a glance") {
     }
 }
 
-TEST_CASE("no line of a solution is in the kit") {
+TEST_CASE("the kit contains no line of a solution") {
     const std::multiset<std::string> shown = shownLines();
-    // What the starter says anyway, or other files for reasons of their own.
+    // Lines that the starter or other files contain for other reasons.
     const std::set<std::string> known{"hit.hitT=t;",      "hit.material=material;",
                                       "hit.ray=ray;",     "returntrue;",
                                       "Colorsum(0,0,0);", "Intersectionblocker;",
@@ -103,7 +103,7 @@ TEST_CASE("no line of a solution is in the kit") {
                 }
 }
 
-TEST_CASE("in the kit stands nothing of what it lacks") {
+TEST_CASE("the kit does not include files that it lacks") {
     for (const fs::path& file : filesIn(wholeKit() / "src")) {
         const std::string text = contentOf(file);
         CAPTURE(file);
@@ -113,7 +113,7 @@ TEST_CASE("in the kit stands nothing of what it lacks") {
     }
 }
 
-TEST_CASE("every mistake names its task and the hint that is due") {
+TEST_CASE("every mistake names its task and the expected hint") {
     int mistakes = 0;
     for (const fs::path& patch : filesIn(project / "tests/lab/mistakes")) {
         const std::string text = contentOf(patch);

@@ -16,7 +16,7 @@ struct Side {
     double bottom, top;
 };
 
-// Whether the ends of t lie on different sides of the line through s, and not on it.
+// Whether the ends of t lie strictly on different sides of the line through s.
 bool separates(const Side& s, const Side& t) {
     const double side = orientation(s.left, s.right, t.left);
     return side != 0 && side * orientation(s.left, s.right, t.right) < 0;

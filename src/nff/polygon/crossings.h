@@ -6,8 +6,8 @@
 
 namespace sw {
 
-/// Whether any two sides of a polygon cross in a point that is an end of neither. Sides that touch
-/// or coincide do not cross. Looks at all pairs of sides that overlap in x: n^2 / 2 at most.
+/// Whether any two sides of a polygon cross in their interiors. Sides that touch or coincide do not
+/// cross. Tests all pairs of sides that overlap in x: at most n^2 / 2.
 bool hasCrossings(const std::vector<Point2>& polygon);
 
 }  // namespace sw

@@ -6,8 +6,8 @@
 namespace sw {
 namespace {
 
-// Whether corner x, with the neighbours before and after, keeps triangle t from being an ear, which
-// is cut along its first side.
+// Whether corner x, with neighbours `before` and `after`, prevents triangle t from being an ear.
+// The ear would be cut off along t's first side.
 bool blocks(const Point2 (&t)[3], const Point2& x, const Point2& before, const Point2& after) {
     bool isOn[3];
     for (int i = 0; i < 3; ++i) {
@@ -15,9 +15,9 @@ bool blocks(const Point2 (&t)[3], const Point2& x, const Point2& before, const P
         if (side < 0) return false;
         isOn[i] = side == 0;
     }
-    // Inside, or on the cut. One on the cut would lie on an edge of two triangles.
+    // Inside, or on the cut. A corner on the cut would lie on an edge of two triangles.
     if (!isOn[1] && !isOn[2]) return true;
-    // On a side or at a corner x only touches t, unless the polygon goes on inside.
+    // On another side or at a corner, x only touches t, unless the polygon continues inside.
     const auto leadsInside = [&](const Point2& to) {
         for (int i = 0; i < 3; ++i)
             if (isOn[i] && !(orientation(t[i], t[(i + 1) % 3], to) > 0)) return false;
@@ -26,8 +26,8 @@ bool blocks(const Point2 (&t)[3], const Point2& x, const Point2& before, const P
     return leadsInside(before) || leadsInside(after);
 }
 
-// Cutting an ear changes no other corner but its neighbours, so each cut has two candidates for the
-// next ear. Only corners that are not convex can block one. So n corners cost at most 3 n^2 steps.
+// Cutting an ear changes only its two neighbours, so each cut adds two candidates for the next ear.
+// Only non-convex corners can block an ear. So n corners take at most 3 n^2 steps.
 class EarCutter {
 public:
     EarCutter(const std::vector<Point2>& corners, Triangulation& result)
@@ -67,7 +67,7 @@ private:
         return orientation(points[previous[corner]], points[corner], points[next[corner]]);
     }
 
-    // Where the outline turns back on itself or stands still.
+    // Whether the outline turns back on itself or repeats a point.
     bool isSpike(std::uint32_t corner) const {
         const Point2 &p = points[previous[corner]], &x = points[corner], &n = points[next[corner]];
         return (p.x - x.x) * (n.x - x.x) + (p.y - x.y) * (n.y - x.y) >= 0 && turnAt(corner) == 0;
@@ -90,7 +90,7 @@ private:
         return true;
     }
 
-    // Goes on where a polygon that crosses itself has no ears left.
+    // Continues if a polygon that crosses itself has no ears left.
     void forceCut() {
         out.simple = false;
         std::uint32_t corner = last;
@@ -115,7 +115,7 @@ private:
         review(n);
     }
 
-    // To be called for a corner that has got new neighbours. Spikes go before any ear is cut.
+    // Call this for a corner with new neighbours. Spikes are dropped before any ear is cut.
     void review(std::uint32_t corner) {
         setBlocker(corner, !isConvex(corner));
         if (isSpike(corner)) candidates.push_front(corner);
@@ -137,11 +137,11 @@ private:
 
     const std::vector<Point2>& points;
     Triangulation& out;
-    std::vector<std::uint32_t> previous, next;  // the ring of corners that are left
-    std::vector<std::uint32_t> blockers;        // those that are not convex, from left to right
+    std::vector<std::uint32_t> previous, next;  // the ring of remaining corners
+    std::vector<std::uint32_t> blockers;        // non-convex corners, from left to right
     std::vector<bool> isBlocker;                // whether a corner is one of them
     std::deque<std::uint32_t> candidates;       // for ears and spikes
-    std::size_t left;                           // number of corners that are left
+    std::size_t left;                           // number of remaining corners
     std::uint32_t last = 0;                     // one of them
 };
 

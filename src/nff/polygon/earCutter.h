@@ -7,7 +7,7 @@
 
 namespace sw {
 
-/// Cuts ears off a polygon until nothing is left. An ear is a corner whose triangle with its two
+/// Triangulates a polygon by ear clipping. An ear is a corner whose triangle with its two
 /// neighbours lies inside the polygon (Meisters, Polygons Have Ears, 1975).
 /// @param points  the corners, counter-clockwise
 void cutEars(const std::vector<Point2>& points, Triangulation& result);

@@ -10,7 +10,7 @@ struct Point2 {
     double x, y;
 
     bool operator==(const Point2&) const = default;
-    /// From left to right, and upwards in between.
+    /// From left to right; if x is equal, upwards.
     bool operator<(const Point2& p) const { return x < p.x || (x == p.x && y < p.y); }
 };
 
@@ -36,9 +36,9 @@ double exactSumSign(const std::array<double, count>& terms) {
     return size > 0 ? parts[size - 1] : 0;
 }
 
-/// On which side of the line from a to b the point c lies.
+/// The side of the line from a to b on which the point c lies.
 /// @return  positive: on the left, a b c is counter-clockwise; negative: on the right; 0: on the
-///          line. The sign is never wrong, so that decisions about the same points agree.
+///          line. The sign is exact, so decisions about the same points agree.
 inline double orientation(const Point2& a, const Point2& b, const Point2& c) {
     const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
     // Three roundings of 2^-53 per product and one of the difference: beyond this, its sign is

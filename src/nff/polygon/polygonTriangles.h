@@ -5,8 +5,8 @@
 
 namespace sw {
 
-/// Cuts the polygon last read into triangles, and warns of one that is not clear.
-/// @param use  void(a, b, c): numbers of the vertices of a triangle
+/// Triangulates the polygon last read. Warns if it crosses itself or is not planar.
+/// @param use  void(a, b, c), called with the indices of each triangle's vertices
 template <typename Use>
 void forEachTriangle(NffShapes& shapes, const char* statement, const Use& use) {
     constexpr const char* kind =

@@ -20,7 +20,7 @@ dvec3 fromFirst(Corners corners, std::size_t i) {
 struct Plane {
     explicit Plane(Corners corners);
 
-    dvec3 normal;   // on the side where the corners are counter-clockwise; NaN for a line
+    dvec3 normal;   // the corners are counter-clockwise around it; NaN for a line
     double extent;  // distance of the farthest corner from the first one
 };
 
@@ -34,8 +34,8 @@ Plane::Plane(Corners corners) {
     extent = glm::length(farthest);
     normal = glm::normalize(newell);
     if (!(glm::length(newell) < 0x1p-7 * extent * extent)) return;
-    // Newell's normal of a thin winding polygon or a figure of eight is a small difference of large
-    // areas, and points somewhere. That of a large triangle between corners does not.
+    // For a thin winding polygon or a figure of eight, Newell's normal is a small difference of
+    // large areas and thus unreliable. The normal of a large triangle between corners replaces it.
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const dvec3 n = cross(farthest, fromFirst(corners, i));
         if (dot(n, n) > dot(largest, largest)) largest = n;
@@ -43,8 +43,8 @@ Plane::Plane(Corners corners) {
     normal = glm::normalize(dot(largest, newell) < 0 ? -largest : largest);
 }
 
-// Drops the coordinate along which the normal is longest. What is counter-clockwise stays so, and
-// the coordinates stay floats.
+// Drops the coordinate along which the normal is longest. The orientation is kept, and the
+// coordinates stay floats.
 class Projection {
 public:
     explicit Projection(const dvec3& normal) {
@@ -72,8 +72,8 @@ bool isPlanar(Corners corners, const Plane& plane) {
     return height <= 1e-3 * plane.extent + rounding;
 }
 
-// Whether all triangles between the first corner and a side are counter-clockwise and span less
-// than half a turn together: those of every convex polygon, and they do not overlap.
+// Whether all triangles between the first corner and a side are counter-clockwise and together span
+// less than half a turn. Then they do not overlap. This holds for every convex polygon.
 bool isFan(Corners corners, const Projection& project) {
     const Point2 hub = project(corners[0]), first = project(corners[1]);
     Point2 last = first;

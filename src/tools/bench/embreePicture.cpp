@@ -11,7 +11,7 @@ namespace {
 
 using namespace textbook;
 
-// The room as Embree sees it: each triangle a mesh, each sphere a set of one point.
+// The room in Embree: each triangle is a mesh, each sphere a set of one point.
 class EmbreeRoom {
 public:
     Vec3 light;

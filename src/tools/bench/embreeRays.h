@@ -21,7 +21,7 @@ RTCRay toEmbree(const Ray& ray) {
     return r;
 }
 
-/// The nearest hit; its geomID is RTC_INVALID_GEOMETRY_ID where there is none.
+/// The nearest hit; on a miss its geomID is RTC_INVALID_GEOMETRY_ID.
 template <typename Ray>
 RTCRayHit nearestHit(RTCScene scene, RTCIntersectContext& context, const Ray& ray) {
     RTCRayHit query;

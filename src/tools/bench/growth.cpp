@@ -19,7 +19,7 @@ double nanosecondsPerRay(const sw::Scene& scene, const std::vector<sw::Ray>& ray
     return seconds * 1e9 / static_cast<double>(rays.size());
 }
 
-// By a tree of the same kind as the scene's.
+// Counted with a Bvh built like the scene's.
 double nodesPerRay(const Model& model, const std::vector<sw::Ray>& rays) {
     std::vector<sw::Bounds> boxes;
     boxes.reserve(model.size());
@@ -71,9 +71,10 @@ void measureGrowth(const Setup& setup, Lines& lines) {
                          count(growth[0].triangles), "ns", times.of(k), times.of(0),
                          times.ratio(k, 0),
                          aim ? std::optional(Target{Target::atMost, 6}) : std::nullopt});
-        lines.push_back({"growth, " + count(growth[k].triangles) + ": nodes that it visits",
-                         count(growth[0].triangles), "nodes", growth[k].nodes, growth[0].nodes,
-                         growth[k].nodes / growth[0].nodes});
+        lines.push_back(
+            {"growth, " + count(growth[k].triangles) + ": nodes visited by a random ray",
+             count(growth[0].triangles), "nodes", growth[k].nodes, growth[0].nodes,
+             growth[k].nodes / growth[0].nodes});
     }
 }
 

@@ -11,14 +11,14 @@
 namespace bench {
 namespace {
 
-// Calls the function that draws a pixel, and the picture is drawn.
+// Renders the picture with a function for its pixels.
 class Drawing {
 public:
     sw::Image image;
 
     Drawing(Radiance how, int size) : image(size, size), radiance(std::move(how)) {}
 
-    /// Return the seconds that it took, or the processor's.
+    /// Both return the time in seconds: wall time or processor time.
     double draw(int threads) {
         return secondsOf([&] { paint(threads); });
     }
@@ -45,7 +45,7 @@ double difference(const sw::Image& a, const sw::Image& b) {
     return sum / (3.0 * a.width() * a.height());
 }
 
-// Their rounding errors differ; so do some edges of shadows, by the epsilon.
+// Pictures differ by rounding, and at some shadow edges by the epsilon.
 void requireSamePicture(const Drawing& ours, const Drawing& other, const std::string& name) {
     const double d = difference(ours.image, other.image);
     if (!(d < 0.01))
@@ -80,7 +80,7 @@ void compareLab(const Setup& setup, Lines& lines) {
     requireSamePicture(ours, original, "the original's way");
     if (embreesWay) requireSamePicture(ours, embree, "Embree");
 
-    // Only now are there threads: before, copying a shared_ptr costs less.
+    // Threads start only now: copying a shared_ptr is cheaper without them.
     const Times two(setup.repetitions(5),
                     {[&] { return ours.draw(2); }, [&] { return ours.draw(1); },
                      [&] { return original.draw(1); }, [&] { return original.draw(2); }});

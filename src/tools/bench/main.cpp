@@ -34,10 +34,10 @@ void run(const bench::Setup& setup) {
 int main(int argc, char** argv) {
     bench::Setup setup;
     return report::runTool(
-        argc, argv, "swtracer-bench", "Compares run times and memory with others; prints ratios.",
-        [&](CLI::App& app) {
-            app.add_flag("--quick", setup.quick, "only see whether everything runs");
-            app.add_flag("--full", setup.full, "models of 4 and 10 million triangles as well");
+        argc, argv, "swtracer-bench",
+        "Compares run times and memory with other programs; prints ratios.", [&](CLI::App& app) {
+            app.add_flag("--quick", setup.quick, "only check that everything runs");
+            app.add_flag("--full", setup.full, "also models of 4 and 10 million triangles");
             app.add_option("--output", setup.output, "folder for bench.json")
                 ->capture_default_str();
             app.callback([&] { run(setup); });

@@ -5,12 +5,12 @@
 
 namespace bench {
 
-/// Bytes that the program has allocated and not freed, overhead included; nothing where the C
-/// library does not tell.
+/// Bytes that the program has allocated and not freed, including overhead; nothing if the C library
+/// does not tell.
 std::optional<std::size_t> allocatedBytes();
 
-/// While it lives, the program runs on one processor, so that a tree is built by one thread: the
-/// Scene takes as many threads as there are processors. Does nothing where it cannot.
+/// During its lifetime the program runs on one processor. A Scene builds its tree with one thread
+/// per processor, so it then uses one thread. Does nothing on systems without support.
 class OneProcessor {
 public:
     OneProcessor();

@@ -83,7 +83,7 @@ private:
         lines.push_back({name + ": " + what, other, unit, ours, theirs, ratio, target});
     }
 
-    // Embree computes in float: at edges it may find a few more or less.
+    // Embree computes in float: at edges it may find a few hits more or less.
     void requireSameHits(std::size_t ours, std::size_t theirs, std::size_t rays) const {
         const std::size_t more = std::max(ours, theirs) - std::min(ours, theirs);
         if (more > rays / 500)

@@ -29,7 +29,7 @@ protected:
     }
 };
 
-// The quadratic formula that everybody learns.
+// The textbook quadratic formula.
 class Sphere : public Primitive {
 public:
     Sphere(const Vec3& middle, float size, const Material& surface)
@@ -55,7 +55,7 @@ private:
     float radius;
 };
 
-// The plane first; then the three areas around the hit point, which are lengths of cross products.
+// First the plane, then the three areas around the hit point, as lengths of cross products.
 class Triangle : public Primitive {
 public:
     Triangle(const Vec3* v, const Material& surface)
@@ -105,8 +105,8 @@ private:
     std::vector<std::shared_ptr<Primitive>> primitives;
 };
 
-// Asks for every shadow ray, unlike embreePicture.cpp: neither may cost the other time.
-// NOLINTNEXTLINE(performance-unnecessary-value-param): so it was
+// Casts every shadow ray, unlike embreePicture.cpp: neither may cost the other time.
+// NOLINTNEXTLINE(performance-unnecessary-value-param): as in the original
 Vec3 traceRay(const Ray& ray, Scene scene, int depth) {
     if (depth < 0) return {};
     Hit hit;

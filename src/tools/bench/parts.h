@@ -10,8 +10,8 @@
 namespace bench {
 
 struct Setup {
-    bool quick = false;  ///< only see whether everything runs
-    bool full = false;   ///< larger models as well
+    bool quick = false;  ///< only check that everything runs
+    bool full = false;   ///< also larger models
     std::filesystem::path output = "report";
 
     /// An odd number.
@@ -23,7 +23,7 @@ using report::processorSecondsOf;
 using report::secondsOf;
 using report::Times;
 
-// The parts of the benchmark. Each adds its lines.
+// The parts of the benchmark. Each adds lines to the result.
 
 /// The default lab picture, against the original's way and Embree; two threads against one.
 void compareLab(const Setup& setup, Lines& lines);
@@ -34,7 +34,7 @@ void compareModels(const Setup& setup, Lines& lines);
 /// How time and visited nodes per ray grow with the number of triangles.
 void measureGrowth(const Setup& setup, Lines& lines);
 
-/// What loading, building, tracing and writing take of a run; time and size of the PNG.
+/// The shares of loading, building, tracing and writing in a run; time and size of the PNG.
 void measureSteps(const Setup& setup, Lines& lines);
 
 /// How fast the text of a large scene is read, by one thread.

@@ -5,7 +5,7 @@
 
 #include "swImage.h"
 
-/// The default lab picture in several ways.
+/// The default lab picture, rendered in several ways.
 namespace bench {
 
 constexpr int labSamples = 3, labDepth = 3;
@@ -13,13 +13,13 @@ constexpr int labSamples = 3, labDepth = 3;
 /// Colour of pixel (x, y). Called concurrently.
 using Radiance = std::function<sw::Color(int x, int y)>;
 
-/// By the functions of our program.
+/// With the functions of our program.
 Radiance ourPicture(int size);
 
 /// As in the original lab program: virtual calls, textbook kernels, the scene passed by value.
 Radiance originalsPicture(int size);
 
-/// By a minimal renderer on Embree; null where Embree is not installed.
+/// With a minimal renderer on Embree; null if Embree is not installed.
 Radiance embreesPicture(int size);
 
 }  // namespace bench

@@ -6,23 +6,23 @@
 
 namespace bench {
 
-/// What a ratio ought to be.
+/// The target of a ratio.
 struct Target {
     enum Kind { atLeast, atMost } kind;
     double value;
 };
 
-/// One line of the result: two measurements of the same thing, never one alone.
+/// One line of the result: always two measurements of the same thing.
 struct Line {
     std::string what;
     std::string other;  ///< what ours is compared with
     std::string unit;
     double ours = 0;
     double theirs = 0;
-    double ratio = 0;  ///< above 1: ours is better where the target is atLeast
+    double ratio = 0;  ///< above 1: ours is better if the target is atLeast
     std::optional<Target> target = std::nullopt;
 
-    /// Nothing where there is no target.
+    /// Nothing if there is no target.
     std::optional<bool> met() const;
 };
 
@@ -32,7 +32,7 @@ using Lines = std::vector<Line>;
 std::string toTable(const Lines& lines);
 
 /// @param machine  one line about where this was measured
-/// @param notes    what else there is to say
+/// @param notes    further remarks
 std::string toJson(const Lines& lines, const std::string& machine,
                    const std::vector<std::string>& notes);
 

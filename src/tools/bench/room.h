@@ -7,7 +7,7 @@
 
 namespace bench {
 
-/// What the lab's room (scenes/cornell.nff) consists of, for scenes that are not ours.
+/// The contents of the lab's room (scenes/cornell.nff), for other renderers' scenes.
 struct Room {
     std::vector<sw::Sphere> spheres;
     std::vector<sw::Triangle> triangles;

@@ -37,7 +37,7 @@ std::size_t sizeFromStb(const sw::Image& image) {
     return written;
 }
 
-// What the program does for a picture of the lab, with all threads.
+// Renders a picture of the lab as the program does, with all threads.
 Run runOnce(int size, const std::filesystem::path& png) {
     Run run;
     std::optional<sw::NffScene> file;

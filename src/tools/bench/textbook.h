@@ -7,7 +7,7 @@
 #include "swSampling.h"
 #include "tools/bench/picture.h"
 
-/// Ray tracing as on the slides, in float and with an epsilon: what we are compared with.
+/// Ray tracing as on the slides, in float and with an epsilon, to compare ours with.
 namespace bench::textbook {
 
 using sw::Material;
@@ -51,7 +51,7 @@ struct Hit {
     }
 };
 
-/// The lab's camera in the lab's place.
+/// The lab's camera at its place in the lab scene.
 class Camera {
 public:
     explicit Camera(int size)
@@ -66,7 +66,7 @@ private:
     float scale, middle;
 };
 
-/// The lab's picture, with a jittered grid of samples in every pixel.
+/// The lab's picture, with jittered samples in every pixel.
 /// @param trace  called as trace(ray): the colour that comes back along it
 template <typename Trace>
 Radiance pictureOf(int size, const Trace& trace) {

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// A model as Intel's Embree keeps it: single rays, default quality of the tree.
+/// A model in Intel's Embree: single rays, default build quality.
 class Yardstick {
 public:
     virtual ~Yardstick() = default;
@@ -21,7 +21,7 @@ public:
     virtual std::size_t bytes() const = 0;
 };
 
-/// Null where Embree is not installed.
+/// Null if Embree is not installed.
 std::unique_ptr<Yardstick> makeYardstick(const Model& model);
 
 }  // namespace bench

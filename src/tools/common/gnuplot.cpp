@@ -28,7 +28,7 @@ constexpr const char* isInstalled = "gnuplot --version > /dev/null 2>&1";
 constexpr const char* command = "gnuplot 2> /dev/null";
 #endif
 
-// In single quotes gnuplot takes everything as it is, and '' for a single quote.
+// In single quotes, gnuplot takes all text literally; '' is a single quote.
 std::string quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);

@@ -20,8 +20,9 @@ std::string plotCommands(const std::vector<Curve>& curves);
 
 /// Draws a plot as SVG and as PNG.
 /// @param script  gnuplot's commands without terminal and output
-/// @param name    where to, without the ending
-/// @return        one line: what was drawn, or why nothing was. Never throws for want of gnuplot
+/// @param name    output path without its extension
+/// @return        one line: the files drawn, or why there are none. Does not throw if gnuplot is
+///                missing
 std::string drawWithGnuplot(const std::string& script, const std::filesystem::path& name, int width,
                             int height);
 

@@ -6,7 +6,7 @@
 namespace report {
 namespace {
 
-// Linux tells the processor's name.
+// Linux gives the processor's name here.
 std::string processor() {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);) {

@@ -4,7 +4,7 @@
 
 namespace report {
 
-/// One line that says where and when times were measured: processor, compiler, date.
+/// Where and when times were measured, in one line: processor, compiler, date.
 std::string machine();
 
 }  // namespace report

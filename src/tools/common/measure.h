@@ -15,7 +15,7 @@ double secondsOf(const Work& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Processor time: for work of one thread the steadier clock, as others may use the machine too.
+/// Processor time: for one thread's work this is steadier than wall time on a shared machine.
 template <typename Work>
 double processorSecondsOf(const Work& work) {
     const std::clock_t start = std::clock();
@@ -23,15 +23,15 @@ double processorSecondsOf(const Work& work) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Of an odd number of values the one in the middle.
+/// The median of an odd number of values.
 inline double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
 
-/// Times of several contestants that took turns: a machine that slows down meanwhile does so for
-/// all of them alike.
+/// Times of several contestants that take turns: if the machine slows down, it does so for all of
+/// them alike.
 class Times {
 public:
     /// @param contestants  each returns the time that it took, in any unit

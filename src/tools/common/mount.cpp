@@ -31,11 +31,11 @@ public:
     }
 
 private:
-    // Gives heights to the points halfway between those that have some.
+    // Sets the heights of the points halfway between those already set.
     void displace(int half, double most) {
         for (int j = 0; j <= side; j += half) {
             for (int i = 0; i <= side; i += half) {
-                // Amidst two neighbours in a row or a column (each counts twice), or four.
+                // Between two neighbours in a row or column (each counts twice), or among four.
                 const int x = i / half % 2 * half, y = j / half % 2 * half;
                 if (x == 0 && y == 0) continue;
                 const double sum = height(i - x, j - y) + height(i + x, j - y) +
@@ -45,7 +45,7 @@ private:
         }
     }
 
-    // In -1..1. The standard says what this generator returns, but not what its distributions do.
+    // In -1..1. The standard defines this generator's numbers, but not those of its distributions.
     double noise() { return static_cast<double>(random()) * 0x1p-31 - 1; }
 
     double& height(int i, int j) { return heights[index(i, j)]; }

@@ -9,15 +9,16 @@ namespace scenes {
 
 using glm::dvec3;
 
-/// The text of a scene, statement by statement. Numbers are rounded to float and written in as few
-/// digits as tell that float from its neighbours, whatever the locale.
+/// The text of a scene, statement by statement. Numbers are rounded to float and written with
+/// the fewest digits that identify that float, in any locale.
 class NffText {
 public:
     /// A picture of 512 x 512 under a blue sky, with a field of view of 45 degrees.
     NffText(const dvec3& from, const dvec3& at, const dvec3& up);
 
     void light(const dvec3& position) { statement("l", {position}, {}); }
-    /// What follows: diffuse part, reflectivity, transparency and refractive index.
+    /// Material of the shapes that follow: diffuse part, reflectivity, transparency and refractive
+    /// index.
     void material(const dvec3& color, double kd, double ks, double t = 0, double index = 0) {
         statement("f", {color}, {kd, ks, 0, t, index});
     }

@@ -28,7 +28,7 @@ PowerLaw fitPowerLaw(const std::vector<Point>& points) {
         xx += (p.x - mean.x) * (p.x - mean.x);
         xy += (p.x - mean.x) * (p.y - mean.y);
     }
-    if (!(xx > 1e-20)) return {nan, nan};  // what rounding leaves of equal x is less
+    if (!(xx > 1e-20)) return {nan, nan};  // rounding of equal x stays below this
     return {std::exp(mean.y - xy / xx * mean.x), xy / xx};
 }
 
@@ -38,7 +38,7 @@ double firstReach(const std::vector<Point>& points, double y) {
         if (i == 0) return points[0].x;
         const PowerLaw line = fitPowerLaw({points[i - 1], points[i]});
         const double x = std::pow(y / line.factor, 1 / line.exponent);
-        return x > 0 ? x : points[i].x;  // a point without logarithm
+        return x > 0 ? x : points[i].x;  // it has no logarithm
     }
     return nan;
 }

@@ -13,16 +13,16 @@ struct PowerLaw {
     double factor, exponent;
 };
 
-/// The line of least squares through the logarithms. Points that have none are left out; both
+/// The least-squares line through the logarithms. Points without logarithms are left out. Both
 /// numbers are NaN unless two different x remain.
 PowerLaw fitPowerLaw(const std::vector<Point>& points);
 
-/// Where a falling curve first is as low as y, by straight lines between the points' logarithms.
+/// The x where a falling curve first reaches y, interpolated between the points' logarithms.
 /// @param points  in order of growing x
-/// @return        the first point's x where that one is low enough; NaN where none is
+/// @return        the first point's x if its y is low enough; NaN if no point's is
 double firstReach(const std::vector<Point>& points, double y);
 
-/// NaN for none; values are positive.
+/// NaN for no values; all values are positive.
 double geometricMean(const std::vector<double>& values);
 
 }  // namespace report

@@ -17,8 +17,8 @@ dvec3 direction(double azimuth, double latitude) {
     return {std::cos(latitude) * std::cos(a), std::cos(latitude) * std::sin(a), std::sin(latitude)};
 }
 
-// Where the children of a sphere stand that grows along z: where its neighbours are in the densest
-// packing of equal spheres, but for the three below.
+// The directions of the children of a sphere that grows along z: those of its neighbours in the
+// densest packing of equal spheres, without the three below.
 Directions childDirections() {
     const double upper = std::asin(std::sqrt(2.0 / 3));
     Directions result;
@@ -28,10 +28,10 @@ Directions childDirections() {
     return result;
 }
 
-// Turns v as the shortest way turns the z axis to the unit vector `to` (Rodrigues' formula, with
-// 1 - cos = sin^2 / (1 + cos)).
+// Applies to v the shortest rotation of the z axis onto the unit vector `to` (Rodrigues' formula,
+// with 1 - cos = sin^2 / (1 + cos)).
 dvec3 turned(const dvec3& v, const dvec3& to) {
-    if (1 + to.z < 1e-9) return {-v.x, v.y, -v.z};  // every way down is as short: about y
+    if (1 + to.z < 1e-9) return {-v.x, v.y, -v.z};  // all rotations are equally short: about y
     const dvec3 axis = glm::cross(dvec3(0, 0, 1), to);
     const dvec3 moved = glm::cross(axis, v);
     return v + moved + glm::cross(axis, moved) / (1 + to.z);

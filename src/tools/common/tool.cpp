@@ -37,7 +37,7 @@ int runTool(int argc, const char* const* argv, const char* name, const char* des
 
 std::filesystem::path outputFile(const std::filesystem::path& folder, const char* name) {
     std::error_code error;
-    std::filesystem::create_directories(folder, error);  // requireWritable says what went wrong
+    std::filesystem::create_directories(folder, error);  // requireWritable reports the error
     const std::filesystem::path file = folder / name;
     sw::requireWritable(file);
     return file;

@@ -48,7 +48,7 @@ std::vector<fs::path> shippedScenes() {
     return scenes;
 }
 
-// The scenes' names are the names of files and of sections.
+// The scenes' names become names of files and sections.
 void requireDifferentNames(const std::vector<fs::path>& scenes) {
     std::set<fs::path> names{"overview"};
     for (const fs::path& scene : scenes)
@@ -104,8 +104,8 @@ void run(const ConvergenceOptions& options) {
 void addConvergence(CLI::App& app) {
     const auto options = std::make_shared<ConvergenceOptions>();
     CLI::App* command = app.add_subcommand(
-        "convergence", "Error against run time and samples, of all ways to place samples.");
-    command->add_option("scenes", options->scenes, "scene files (default: all that are shipped)");
+        "convergence", "Error against run time and samples, for all sampling methods.");
+    command->add_option("scenes", options->scenes, "scene files (default: all shipped scenes)");
     command
         ->add_option("-o,--output", options->output,
                      "folder for index.html, convergence.csv and pictures")
@@ -113,7 +113,7 @@ void addConvergence(CLI::App& app) {
     command->add_option("--size", options->size, "pixels of the pictures' longer side")
         ->check(CLI::Range(8, 2048))
         ->capture_default_str();
-    command->add_flag("--quick", options->quick, "tiny pictures: to see that it works");
+    command->add_flag("--quick", options->quick, "tiny pictures: only check that it works");
     command->callback([options] { run(*options); });
 }
 

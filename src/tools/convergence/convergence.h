@@ -6,7 +6,7 @@ class App;
 
 namespace report {
 
-/// Adds `convergence`: error against run time and samples, of all ways to place samples. Throws
+/// Adds `convergence`: error against run time and samples, for all sampling methods. Throws
 /// sw::NffError and sw::FileError when the program runs it.
 void addConvergence(CLI::App& app);
 

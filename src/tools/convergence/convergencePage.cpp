@@ -45,12 +45,12 @@ td { white-space: nowrap; }
 )";
 
 constexpr const char* howToRead = R"(
-<p>Each scene is drawn by each method at several settings, and compared with a converged reference.
-RMSE is the root mean square difference of the channels in linear radiance, cut off at 0 and 1 as in
-the picture. In the plots, further down is better; further left is cheaper. Both axes are
-logarithmic, so that an error that falls like cost<sup>slope</sup> is a straight line. Theory expects
+<p>Each method renders each scene at several settings. The pictures are compared with a converged
+reference. RMSE is the root mean square difference of the channels in linear radiance, clamped to 0..1
+as in the picture. In the plots, lower is better and further left is cheaper. Both axes are
+logarithmic: an error that falls like cost<sup>slope</sup> is a straight line. Theory expects
 -0.5 over the samples for <em>random</em>, and -0.75 for <em>jitter</em> where the error lies at
-edges. The slopes leave out the samplers' 1x1, which is the pixel's centre for most.</p>
+edges. The slopes exclude the samplers' 1x1, which is the pixel's centre for most of them.</p>
 <p>The heat maps show the error of one picture in every pixel:</p>
 <div class="scale"></div>
 <div class="labels"><span>0.0001</span><span>0.001</span><span>0.01</span><span>0.1</span><span>1</span></div>
@@ -78,7 +78,7 @@ std::string picture(const sw::Image& image, const fs::path& file, const std::str
     return figure(file, caption, "picture");
 }
 
-// What errors a few methods make, each with its number.
+// The reference and the heat maps of a few methods.
 std::string pictures(const Study& study, const fs::path& folder) {
     std::string html = picture(study.reference, folder / (study.scene + "-reference.png"),
                                study.scene + ", the reference");
@@ -94,7 +94,7 @@ std::string section(const Study& study, const fs::path& folder) {
     auto reference = sw::plainStream();
     reference << study.reference.width() << " x " << study.reference.height()
               << " pixels; estimated RMSE of the reference: " << study.referenceError
-              << ". Errors that are not far above it are partly the reference's.";
+              << ". Errors close to this are partly the reference's.";
     return "<h2 id=\"" + escaped(study.scene) + "\">" + escaped(study.scene) + "</h2>\n" +
            pictures(study, folder) + plots(study, folder) + paragraph(reference.str()) +
            "<details><summary>All numbers</summary>" + htmlTable(measurementRows(study), 2) +

@@ -8,10 +8,10 @@
 
 namespace report {
 
-/// The whole report as one page. Takes the plots (see plotName()) from the folder, where they are.
+/// The whole report as one page. Embeds the plots (see plotName()) that it finds in the folder.
 /// @param all      overview() of the studies
-/// @param folder   also takes the pictures as PNG
-/// @param remarks  lines of text for the top: where it was measured, what is missing
+/// @param folder   the pictures are written here as PNG, too
+/// @param remarks  lines for the top of the page: where it was measured, what is missing
 /// @throws sw::FileError
 std::string convergencePage(const std::vector<Study>& studies, const Study& all,
                             const std::filesystem::path& folder,

@@ -18,7 +18,7 @@ std::string plotCurves(const Study& study, Cost cost, const std::filesystem::pat
         if (!std::isnan(exponent)) shown.title += ", slope " + fixed(exponent, 2);
         const std::size_t k = curves.size() + 1;
         shown.style = "linespoints lw 1.5 pt " + std::to_string(3 + 2 * k) + " ps 0.6 lc " +
-                      std::to_string(k == 5 ? 7 : k);  // colour 5 is a yellow too pale for white
+                      std::to_string(k == 5 ? 7 : k);  // colour 5 is a yellow, too pale on white
         for (const Point& point : curve(study, method, cost))
             if (point.y > 0) shown.points.push_back(point);
         curves.push_back(shown);

@@ -12,7 +12,7 @@ const Measurement* find(const Study& study, const std::string& method, const std
     return nullptr;
 }
 
-// A setting's numbers in all scenes, or less where a scene lacks it.
+// A setting's numbers in all scenes that have it.
 std::vector<double> over(const std::vector<Study>& studies, const Measurement& like,
                          double (*number)(const Measurement&)) {
     std::vector<double> values;
@@ -22,7 +22,7 @@ std::vector<double> over(const std::vector<Study>& studies, const Measurement& l
     return values;
 }
 
-// How many times less the method costs than jitter on this grid, for the same error.
+// How many times cheaper the method reaches the error of jitter on this grid.
 double speedUp(const Study& study, const std::string& method, const std::string& grid, Cost cost) {
     const Measurement* jitter = find(study, "jitter", grid);
     if (!jitter) return NAN;

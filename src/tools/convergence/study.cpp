@@ -19,7 +19,7 @@ namespace {
 constexpr int depth = 3;
 constexpr std::uint64_t referenceSeed = 1000;  // the repetitions have 1, 2, ...
 
-// A scene, ready to be drawn at a size.
+// A scene, ready to be rendered at a given size.
 class Subject {
 public:
     using RadianceAt = std::function<sw::Color(float x, float y)>;
@@ -82,8 +82,8 @@ private:
 
 struct Method {
     std::string name, setting;
-    bool pictured;  // its errors
-    bool slow;      // and so its time is steady: once will do
+    bool pictured;  // keep a picture of its errors
+    bool slow;      // its time is steady, so one run is enough
     std::function<sw::RenderResult(std::uint64_t seed)> draw;
 };
 
@@ -151,7 +151,7 @@ Study studyScene(const std::filesystem::path& scene, const StudyEffort& effort) 
     const std::vector<Method> methods = methodsFor(subject, effort);
     Study study{scene.stem().string(), std::move(reference.image), reference.estimatedRmse, {}, {}};
 
-    // The methods take turns: a machine that slows down meanwhile does so for all of them alike.
+    // The methods take turns: if the machine slows down, it does so for all of them alike.
     std::vector<Repetitions> repetitions(methods.size());
     for (int i = 1; i <= effort.repetitions; ++i) {
         for (std::size_t k = 0; k < methods.size(); ++k) {

@@ -17,7 +17,7 @@ struct Options {
     std::filesystem::path output;
 };
 
-// What --help says at its end.
+// The end of --help.
 std::string listOfScenes() {
     std::string list = "Scenes, with their sizes:";
     for (const Generator& g : scenes::generators)
@@ -57,13 +57,14 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
     Options options;
-    return report::runTool(argc, argv, "swtracer-scene",
-                           "Writes a scene that grows with its size, in NFF.", [&](CLI::App& app) {
-                               app.footer(listOfScenes());
-                               app.add_option("name", options.name, "of the scene")->required();
-                               app.add_option("--size", options.size, "how far it has grown");
-                               app.add_option("-o,--output", options.output,
-                                              "file to write; default: standard output");
-                               app.callback([&] { run(options); });
-                           });
+    return report::runTool(
+        argc, argv, "swtracer-scene", "Writes a scene that grows with its size, in NFF.",
+        [&](CLI::App& app) {
+            app.footer(listOfScenes());
+            app.add_option("name", options.name, "name of the scene")->required();
+            app.add_option("--size", options.size, "size of the scene");
+            app.add_option("-o,--output", options.output,
+                           "file to write; default: standard output");
+            app.callback([&] { run(options); });
+        });
 }

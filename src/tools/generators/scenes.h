@@ -6,10 +6,10 @@
 
 /// Scenes that grow with a size, in Neutral File Format (swNff.h): the constructions of Eric
 /// Haines' Standard Procedural Databases (A Proposal for Standard Graphics Environments, IEEE
-/// Computer Graphics and Applications 7(11), 1987). The same text for the same size, always.
+/// Computer Graphics and Applications 7(11), 1987). The same size always gives the same text.
 namespace scenes {
 
-/// One of the scenes.
+/// A scene generator.
 struct Generator {
     const char* name;
     const char* shows;
@@ -26,7 +26,7 @@ std::string tetra(int size);
 
 constexpr Generator generators[] = {
     {"balls", "sphereflake: reflection", 0, 6, 4, balls},
-    {"tetra", "pyramid of tetrahedra: much that is hidden", 1, 10, 6, tetra},
+    {"tetra", "pyramid of tetrahedra: many hidden surfaces", 1, 10, 6, tetra},
     {"mount", "fractal mountain under glass spheres: refraction", 1, 10, 6, mount},
 };
 

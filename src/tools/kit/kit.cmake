@@ -4,8 +4,8 @@ if(NOT PROJECT_IS_TOP_LEVEL)
 endif()
 set(kit_source ${CMAKE_CURRENT_LIST_DIR})
 
-# The starter files compile where they stand. Their swScene.h comes first, and by its guard keeps
-# out the one that other public headers find beside themselves.
+# The starter files compile where they stand. Their swScene.h comes first. Its include guard keeps
+# out the swScene.h beside the other public headers.
 file(GLOB_RECURSE starters CONFIGURE_DEPENDS ${kit_source}/starter/*.cpp)
 add_library(swtracer_starter OBJECT ${starters})
 target_compile_options(swtracer_starter PRIVATE

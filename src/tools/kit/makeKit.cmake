@@ -1,6 +1,6 @@
 # cmake -D PROJECT=... -D KIT=... -P makeKit.cmake
-# Makes the students' kit in the new folder KIT: the files below, on top of them the starter files
-# (whole files in the place of solved ones) and what only the kit has.
+# Makes the students' kit in the new folder KIT: the files below, then the starter files (which
+# replace the solved ones) and the files that only the kit has.
 cmake_minimum_required(VERSION 3.21)
 
 set(contents
@@ -35,7 +35,7 @@ function(listed result patterns)
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 
-# copy(FROM file...): each to the same place in the kit.
+# copy(FROM file...): copies each file to the same path in the kit.
 function(copy from)
   foreach(file ${ARGN})
     cmake_path(GET file PARENT_PATH folder)
@@ -63,7 +63,7 @@ foreach(file ${starters})
   if(file MATCHES "^include/")
     set(place ${file})
   endif()
-  # Not file(COPY): it passes over a file as old as the one it replaces, as in a fresh clone.
+  # Not file(COPY): it skips a file with the same time stamp as its target, as in a fresh clone.
   file(COPY_FILE ${own}/starter/${file} ${KIT}/${place})
 endforeach()
 file(GLOB_RECURSE extras RELATIVE ${own}/files ${own}/files/*)

@@ -22,7 +22,7 @@ struct Family {
     std::vector<Case<Shape>> cases;
 };
 
-/// The first family is an ordinary one, where about half of the rays hit: times are taken on it.
+/// The first family is an ordinary one: about half of its rays hit. Times are measured on it.
 std::vector<Family<sw::Sphere>> sphereFamilies(int size);
 std::vector<Family<sw::Triangle>> triangleFamilies(int size);
 

@@ -5,7 +5,7 @@
 #include "swIntersection.h"
 #include "swNumerics.h"
 
-/// What the comparison kernels have in common: plain float arithmetic, as on the slides.
+/// Shared by the comparison kernels: plain float arithmetic, as on the slides.
 namespace report {
 
 using sw::Intersection;

@@ -10,7 +10,7 @@
 namespace report {
 
 /// One way to intersect a shape. All are called through Primitive::intersect and fill the whole
-/// hit record, so that their times compare like with like.
+/// hit record, so that their times are comparable.
 template <typename Shape>
 struct Method {
     std::string name;

@@ -34,7 +34,7 @@ Real magnitude(Real x) {
     return x < 0 ? -x : x;
 }
 
-// Two of Newton's steps make 113 bits from double's 53.
+// Two Newton steps extend double's 53 bits to 113.
 Real squareRoot(Real x) {
     Real root = std::sqrt(static_cast<double>(x));
     if (!(root > 0)) return root;
@@ -42,8 +42,8 @@ Real squareRoot(Real x) {
     return root;
 }
 
-// Fewer than 50 roundings lead to any sign that is tested here, each off by at most epsilon times
-// `scale`: the product of the lengths that went in.
+// Any sign tested here results from fewer than 50 roundings. Each is off by at most epsilon times
+// `scale`, the product of the lengths involved.
 bool isCertain(Real value, Real scale) {
     return magnitude(value) > 64 * epsilon * scale;
 }
@@ -51,7 +51,7 @@ bool isCertain(Real value, Real scale) {
 const Truth uncertain{false, false, 0};
 const Truth miss{true, false, 0};
 
-// A hit whose t a float can hold.
+// A hit whose t fits a float.
 Truth hitAt(Real t) {
     if (!(t > FLT_MIN && t < FLT_MAX / 2)) return uncertain;
     return {true, true, static_cast<long double>(t)};

@@ -9,8 +9,8 @@ namespace report {
 /// How often a method is wrong, and by how much.
 struct Score {
     std::string family;
-    double wrongPercent = 0;  ///< rays that it says hit and do not, or the other way round
-    double largestError = 0;  ///< of t, in ulp, over the rays rightly called hits
+    double wrongPercent = 0;  ///< wrong decisions: hits reported as misses, or the reverse
+    double largestError = 0;  ///< of t, in ulp, over the correctly found hits
 };
 
 /// One line of the report.
@@ -18,7 +18,7 @@ struct MethodResult {
     std::string shape;
     std::string method;
     double nanoseconds = 0;                 ///< per call
-    double ratio = 0;                       ///< of the time to the original's formula
+    double ratio = 0;                       ///< time / time of the original's formula
     std::optional<double> leaksPerMillion;  ///< of rays at edges shared by two triangles
     Score overall;                          ///< all families together
     std::vector<Score> families;

@@ -38,7 +38,7 @@ SphereCase distant(double low, double high) {
     return aimed(sphereOf(1), distance, impact);
 }
 
-// Past the edge by low .. high radii, inside or outside.
+// Passes the silhouette at a distance of low .. high radii, inside or outside.
 SphereCase tangent(double low, double high) {
     const double miss = magnitude(low, high);
     const double impact = sw::uniform() < 0.5f ? 1 - miss : 1 + miss;

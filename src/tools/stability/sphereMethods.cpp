@@ -13,8 +13,8 @@ struct Roots {
     float entry, exit;
 };
 
-// The original: a t^2 + b t + c = 0 by the formula that everybody learns. With the sphere far away
-// b^2 and 4ac are huge and nearly equal, and so are -b and the square root.
+// The original: a t^2 + b t + c = 0 by the textbook formula. If the sphere is far away, b^2 and 4ac
+// are huge and nearly equal, and so are -b and the square root.
 bool floatQuadratic(const Sphere& sphere, const Ray& ray, Roots& roots) {
     const Vec3 f = ray.orig - sphere.center;
     const float a = ray.dir * ray.dir;
@@ -27,7 +27,7 @@ bool floatQuadratic(const Sphere& sphere, const Ray& ray, Roots& roots) {
     return true;
 }
 
-// Adds numbers of one sign, and gets the other root from the product of the two.
+// Adds only numbers of the same sign; the other root follows from the product of the roots.
 // halfB is -f * d, the discriminant that of a t^2 - 2 halfB t + c.
 void stableRoots(float a, float halfB, float c, float discriminant, Roots& roots) {
     const float q = halfB + std::copysign(std::sqrt(discriminant), halfB);
@@ -36,15 +36,15 @@ void stableRoots(float a, float halfB, float c, float discriminant, Roots& roots
 }
 
 // x y - z w with an error of at most 1.5 ulp (Kahan; see Jeannerod, Louvet and Muller, Further
-// Analysis of Kahan's Algorithm, Math. Comp. 2013). Where the target has no FMA instruction
-// std::fma is a call, which is the larger part of this method's time.
+// Analysis of Kahan's Algorithm, Math. Comp. 2013). On targets without FMA
+// instructions std::fma is a call, which takes most of this method's time.
 float differenceOfProducts(float x, float y, float z, float w) {
     const float zw = z * w;
     return std::fma(x, y, -zw) + std::fma(-z, w, zw);
 }
 
-// Kahan, On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic, 2004. Solves
-// the equation that it is given, but a, b and c are already rounded.
+// Kahan, On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic, 2004. It
+// solves the given equation accurately, but a, b and c are already rounded.
 bool kahan(const Sphere& sphere, const Ray& ray, Roots& roots) {
     const Vec3 f = ray.orig - sphere.center;
     const float a = ray.dir * ray.dir;
@@ -57,7 +57,7 @@ bool kahan(const Sphere& sphere, const Ray& ray, Roots& roots) {
 }
 
 // Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7: the
-// vector from the sphere's centre to the nearest point of the line tells the discriminant.
+// vector from the sphere's centre to the nearest point of the line gives the discriminant.
 bool haines(const Sphere& sphere, const Ray& ray, Roots& roots) {
     const Vec3 f = ray.orig - sphere.center;
     const float a = ray.dir * ray.dir;

@@ -27,14 +27,14 @@ struct StabilityOptions {
 
 struct Effort {
     int cases;        ///< per family
-    int edgeRays;     ///< that are aimed at shared edges
-    int timedCases;   ///< of the ordinary family: too many for the processor to learn by heart
+    int edgeRays;     ///< rays aimed at shared edges
+    int timedCases;   ///< of the ordinary family: too many for branch prediction to learn
     int repetitions;  ///< of the timing
 };
 constexpr Effort full{40000, 1000000, 16384, 401};
 constexpr Effort quickLook{500, 10000, 512, 5};
 
-// The distance of t from the truth in units of the truth's last place.
+// The error of t in units of the true value's last place.
 double errorInUlp(float t, const Truth& truth) {
     const float rounded = static_cast<float>(truth.t);
     const long double ulp = std::nextafter(rounded, HUGE_VALF) - rounded;
@@ -70,7 +70,7 @@ Score combine(const std::vector<Score>& families) {
 
 using Primitives = std::vector<std::unique_ptr<sw::Primitive>>;
 
-// What is computed ends here, so that no compiler may leave it out.
+// Takes the results, so that the compiler cannot drop the computation.
 volatile float sink;
 
 // Primitive i meets ray i.
@@ -85,8 +85,8 @@ double nanosecondsPerCall(const Primitives& primitives, const std::vector<sw::Ra
     return 1e9 * seconds / static_cast<double>(rays.size());
 }
 
-// Times Primitive::intersect of all methods on the same rays. As Google Benchmark with interleaved
-// repetitions does: each turn takes about a millisecond.
+// Times Primitive::intersect of all methods on the same rays. Repetitions are interleaved as in
+// Google Benchmark; each turn takes about a millisecond.
 template <typename Shape>
 Times timeAll(const std::vector<Method<Shape>>& methods, const Family<Shape>& family,
               const Effort& effort) {
@@ -158,7 +158,7 @@ void addStability(CLI::App& app) {
         "stability", "Error against run time of intersection kernels, over hard cases.");
     command->add_option("-o,--output", options->output, "folder for stability.csv, .svg and .png")
         ->capture_default_str();
-    command->add_flag("--quick", options->quick, "few cases: to see that it works");
+    command->add_flag("--quick", options->quick, "few cases: only check that it works");
     command->callback([options] { run(*options); });
 }
 

@@ -8,14 +8,14 @@
 
 namespace report {
 
-/// The table for people, in Markdown.
+/// The table for readers, in Markdown.
 std::string toTable(const std::vector<MethodResult>& results);
 
-/// The table for programs: a line per method and family, and one per method for `all`.
+/// The CSV table: a line per method and family, and one per method for `all`.
 std::string toCsv(const std::vector<MethodResult>& results);
 
 /// Draws stability.svg and stability.png into a folder.
-/// @return  one line: what was drawn, or why nothing was
+/// @return  one line: the files drawn, or why there are none
 std::string plot(const std::vector<MethodResult>& results, const std::filesystem::path& folder);
 
 }  // namespace report

@@ -17,10 +17,10 @@ sw::Triangle toTriangle(const dvec3& a, const dvec3& b, const dvec3& c) {
 }
 
 Corners ordinary() {
-    return {inCube(1), inCube(1), inCube(1)};  // braces: from left to right everywhere
+    return {inCube(1), inCube(1), inCube(1)};  // braces fix the order: left to right
 }
 
-// As long as 1 .. 3, and up to 1e7 times less wide.
+// 1 .. 3 long, and up to 1e7 times narrower.
 Corners sliver() {
     const dvec3 a = inCube(1);
     const dvec3 along = direction();

@@ -8,7 +8,7 @@ namespace {
 
 using sw::Triangle;
 
-// Where the ray meets the triangle, and what was computed on the way.
+// Where the ray hits the triangle, and intermediate results.
 struct Found {
     float t;
     Vec3 e1, e2;  // edges from vertex 0
@@ -28,7 +28,7 @@ bool meetPlane(const Triangle& triangle, const Ray& ray, Found& found, Vec3& fro
 }
 
 // The original: areas as lengths of cross products. A length has no sign, so four times the
-// triangle's area passes.
+// triangle's area is accepted.
 bool normBased(const Triangle& triangle, const Ray& ray, Found& found) {
     Vec3 p;
     if (!meetPlane(triangle, ray, found, p)) return false;
@@ -75,7 +75,7 @@ int dominantAxis(const Vec3& d) {
     return x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
 }
 
-// x y - z w in float, or in double where float cannot tell the sign.
+// x y - z w in float, or in double if float cannot decide the sign.
 float edge(float x, float y, float z, float w) {
     return x * y - z * w;
 }

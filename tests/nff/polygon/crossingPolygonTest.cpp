@@ -7,7 +7,7 @@
 using namespace sw;
 using namespace test;
 
-TEST_CASE("a polygon that crosses itself is reported and cut all the same") {
+TEST_CASE("a polygon that crosses itself is reported and still triangulated") {
     const Polygon bowtie = {{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 4, 0}};
     const Polygon pentagram = star(
         5, [](int) { return 1.0; }, 2);
@@ -42,7 +42,7 @@ TEST_CASE("random crossing polygons are reported and keep their corners") {
     CHECK(usedCorners(polygon, cut) == polygon.size());
 }
 
-TEST_CASE("a polygon out of plane is reported and cut all the same") {
+TEST_CASE("a polygon that is not planar is reported and still triangulated") {
     const auto seed = GENERATE(range(0u, 100u));
     Random random(seed);
     Polygon polygon = star(random.whole(4, 40), [&](int) { return random.uniform(1, 2); });
@@ -56,7 +56,7 @@ TEST_CASE("a polygon out of plane is reported and cut all the same") {
     CHECK(usedCorners(polygon, cut) == polygon.size());
 }
 
-TEST_CASE("rounding far from the origin is not out of plane") {
+TEST_CASE("a polygon rounded far from the origin counts as planar") {
     const auto seed = GENERATE(range(0u, 100u));
     CAPTURE(seed);
     Random random(seed);
@@ -66,7 +66,7 @@ TEST_CASE("rounding far from the origin is not out of plane") {
     CHECK(triangulate(placed(star(9, [](int) { return 1.0; }))).planar);
 }
 
-TEST_CASE("nothing is left of a line, a point or numbers that are not finite") {
+TEST_CASE("lines, points and corners that are not finite give no triangles") {
     const float bad = GENERATE(NAN, HUGE_VALF, -HUGE_VALF);
     CHECK(triangulate({}).triangles.empty());
     CHECK(triangulate(Polygon(2)).triangles.empty());
@@ -108,7 +108,7 @@ bool crossesAnywhere(const std::vector<Point2>& polygon) {
 
 }  // namespace
 
-TEST_CASE("sides cross where whole numbers say so, and not where they touch or coincide") {
+TEST_CASE("sides cross where integer arithmetic says so, and not where they touch or coincide") {
     int crossing = 0;
     for (unsigned seed = 0; seed < 5000; ++seed) {
         Random random(seed);

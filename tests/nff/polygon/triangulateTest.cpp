@@ -117,7 +117,7 @@ TEST_CASE("a polygon in the opposite direction faces the other way") {
 }
 
 // On the line y = 3x every float of 22 bits has an exact point, near 0 and far away.
-TEST_CASE("the side of a line that a point lies on is never wrong") {
+TEST_CASE("the orientation of three points is never wrong") {
     const auto seed = GENERATE(range(0u, 2000u));
     CAPTURE(seed);
     Random random(seed);
