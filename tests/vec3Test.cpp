@@ -49,6 +49,8 @@ TEST_CASE("any kind of number scales a vector") {
     CHECK(distance(v * 0.5f, half) == 0);
     CHECK(distance(v * 0.5, half) == 0);
     CHECK(distance(0.5 * v, half) == 0);
+    CHECK(distance(v / 2, half) == 0);
+    CHECK(distance(v / 0.5, twice) == 0);
     CHECK(distance(v * 2, twice) == 0);
     CHECK(distance(2u * v, twice) == 0);
 }

@@ -67,8 +67,6 @@ public:
         none.ss_flags = SS_DISABLE;
         sigaltstack(&none, nullptr);
     }
-    HandlerStack(const HandlerStack&) = delete;
-    HandlerStack& operator=(const HandlerStack&) = delete;
 
 private:
     std::vector<char> memory;

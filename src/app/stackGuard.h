@@ -1,8 +1,7 @@
 #pragma once
 
-/// Explains a recursion without end, which fills the stack, where there would be a bare
-/// segmentation fault. Costs nothing while all is well. Does nothing where the system is neither
-/// Linux nor macOS.
+/// Explains a recursion without end in place of a bare segmentation fault. Costs nothing while all
+/// is well; on systems other than Linux and macOS, does nothing.
 namespace stackGuard {
 
 /// Watches the calling thread's stack from now on.

@@ -4,11 +4,7 @@
 namespace sw {
 
 static std::string describe(const Primitive& shape) {
-    return describeTriangle(static_cast<const Triangle&>(shape));
-}
-
-std::string describeTriangle(const Triangle& triangle) {
-    const Vec3* v = triangle.vertices;
+    const Vec3* v = static_cast<const Triangle&>(shape).vertices;
     return plainText(v[0]) + " " + plainText(v[1]) + " " + plainText(v[2]);
 }
 
