@@ -21,6 +21,7 @@
 #include "swVec3.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
+#include "stb_image.h"
 #include "stb_image_write.h"
 
 using namespace sw;
