@@ -127,6 +127,7 @@ Record recordOf(const std::vector<Line>& lines) {
     for (const auto& [key, value] : lines) {
         if (key == "task") record.task = number(value);
         if (key == "verdict") record.verdict = verdictOf(value);
+        if (key == "milliseconds") record.seconds = number(value) / 1000.0;
         if (key == "picture") record.pictures.emplace_back().name = value;
         if (std::string* const text = textField(record, key)) *text = value;
         if (!record.pictures.empty()) setPictureField(record.pictures.back(), key, value);
@@ -162,7 +163,8 @@ void write(const Record& record, const fs::path& folder) {
         recordStart + keyAndValue("task", record.task) + keyAndValue("test", record.test) +
         keyAndValue("verdict", word(record.verdict)) + keyAndValue("tried", record.tried) +
         keyAndValue("got", record.got) + keyAndValue("expected", record.expected) +
-        keyAndValue("hint", record.hint);
+        keyAndValue("hint", record.hint) +
+        keyAndValue("milliseconds", static_cast<int>(1000 * record.seconds));
     for (const PictureRecord& picture : record.pictures) content += textOf(picture);
     fs::create_directories(folder);
     sw::writeFile(folder / fileName(record), content + end);

@@ -25,6 +25,7 @@ struct Record {
     /// How an unfinished test ended, where that is known: "signal", "recursion", "exit" or "time";
     /// more about it; and which function of the student's was running. readAll() fills these in.
     std::string end, endDetail, endFunction;
+    double seconds = 0;  ///< that the test case took
     std::vector<PictureRecord> pictures;
     std::filesystem::file_time_type when{};  ///< it was written; readAll() fills this in
 };

@@ -2,6 +2,7 @@
 // leaves that verdict, and as passed or failed at its end.
 
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
+#include <chrono>
 #include <exception>
 #include <iostream>
 
@@ -105,6 +106,7 @@ public:
             lab::running().task = taskOf(info);
             lab::running().test = info.name;
             crashed = false;
+            started = Clock::now();
             write();
             if (lab::running().task > 0)
                 lab::expectSuddenEnd(lab::endFile(lab::running(), SW_LAB_RECORDS), patience());
@@ -127,6 +129,7 @@ public:
         whateverHappens([&] {
             if (crashed) return;
             lab::expectNoSuddenEnd();
+            lab::running().seconds = std::chrono::duration<double>(Clock::now() - started).count();
             const bool passed = stats.totals.assertions.allOk();
             lab::running().verdict = passed ? Record::Verdict::passed : Record::Verdict::failed;
             write();
@@ -156,6 +159,8 @@ private:
         if (lab::running().task > 0) lab::write(lab::running(), SW_LAB_RECORDS);
     }
 
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point started;
     bool crashed = false;
 };
 

@@ -84,6 +84,19 @@ TEST_CASE("the page tells how a test ended before its time", "[lab]") {
     }
 }
 
+TEST_CASE("a test that took long has a word on the page and keeps its points", "[lab]") {
+    Build build;
+    Record slow = recordOf(6, "slow one", Verdict::passed),
+           quick = recordOf(6, "b", Verdict::passed);
+    slow.seconds = 5.2;
+    quick.seconds = 0.3;
+    build.add(slow);
+    build.add(quick);
+    CHECK(contains(build.page(), "<li>slow one: 5 s</li>"));
+    CHECK_FALSE(contains(build.page(), "<li>b: "));
+    CHECK(contains(build.grade(), "\"total\": 10"));
+}
+
 TEST_CASE("how an earlier run ended is forgotten", "[lab]") {
     Build build;
     Record record = recordOf(4, "a mirror", Verdict::passed);

@@ -1,5 +1,7 @@
 #include "lab/report/page.h"
 
+#include <cmath>
+
 #include "lab/report/pageHead.h"
 #include "lab/report/pagePictures.h"
 #include "tools/common/html.h"
@@ -148,6 +150,21 @@ std::string failedTests(const Task& task, const std::filesystem::path& records) 
     return html;
 }
 
+// No test takes a right solution a second. It costs no points, but is worth a word.
+std::string slowTests(const Task& task) {
+    constexpr double slow = 2;
+    std::string items;
+    for (const Outcome& outcome : task.outcomes)
+        if (outcome.record.seconds > slow)
+            items += element("li", "",
+                             escaped(outcome.record.test) + ": " +
+                                 std::to_string(std::lround(outcome.record.seconds)) + " s");
+    return items.empty()
+               ? ""
+               : element("p", "note", "These tests took long. Is some work done again and again?") +
+                     element("ul", "", items);
+}
+
 // The names of the tests that came out so, to be unfolded.
 std::string namesOf(const Task& task, State state, const std::string& what) {
     std::string items;
@@ -175,6 +192,7 @@ std::string section(const Task& task, const std::filesystem::path& records) {
     html += failedTests(task, records);
     for (const Outcome& outcome : task.outcomes)
         if (outcome.state == State::passed) html += picturesOf(outcome.record, records);
+    html += slowTests(task);
     return html + namesOf(task, State::passed, "passed") +
            namesOf(task, State::notRun, "not run yet") + "</section>\n";
 }
