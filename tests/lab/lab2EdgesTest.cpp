@@ -1,37 +1,23 @@
 #include <array>
 #include <utility>
 
-#include "lab/triangles.h"
+#include "lab/triangleMistakes.h"
 
 using namespace lab;
 using namespace sw;
 
 namespace {
 
-// Which places around the plain triangle are taken for inside tells the mistake.
-std::string whyAccepted() {
-    if (plainHit({3, 3}) || plainHit({-5, 2}) || plainHit({1, -6}))
-        return "the ray meets the plane here, but far outside of the triangle: nothing asks yet "
-               "whether the point lies inside";
-    const bool negativeV = plainHit({0.5f, -0.25f}), negativeW = plainHit({-0.25f, 0.5f});
-    if (negativeV && negativeW)
-        return "the length of a cross product has no sign; its dot product with n does";
-    if (plainHit({0.75f, 0.75f}))
-        return "v and w alone make a parallelogram: the side opposite to the first vertex is where "
-               "their sum is 1";
-    if (negativeV) return "beyond the side from the first to the second vertex v is negative";
-    if (negativeW) return "beyond the side from the first to the third vertex w is negative";
-    return "inside is where neither v nor w is negative and where their sum is at most 1";
-}
-
 void expectMiss(const TriangleCase& sample, const Barycentric& place) {
     for (const float height : {1.f, -2.f})
         for (const float slant : {0.f, 0.5f}) {
             const Vec3 away = sample.size * (height * sample.normal + slant * sample.across);
-            const Ray ray = rayTo(sample.shape, place, away);
-            if (isHit(sample.shape, ray))
-                fail({lab::text(ray) + " beside " + lab::text(sample.shape),
-                      "a hit at " + lab::text(place), "no hit", whyAccepted()});
+            const Asked asked = askedTo(sample.shape, place, away, height < 0 ? 2 : 0.5f);
+            Intersection hit;
+            if (!asked.shape.intersect(asked.ray, hit)) continue;
+            const std::string fault = faultOfHit(hit);
+            fail({text(asked.ray) + " beside " + text(asked.shape), "a hit at " + text(place),
+                  "no hit", fault.empty() ? whyWrong(asked) : fault});
         }
 }
 
@@ -64,16 +50,35 @@ std::vector<Triangle> fan(int axis, int first, bool turned) {
     return triangles;
 }
 
+// The triangle's side that a place on it is on: whether the ray hits just beside that.
+bool hitsInward(const Triangle& t, const Vec3& place, const Vec3& away) {
+    const Vec3 middle = (t.vertices[0] + t.vertices[1] + t.vertices[2]) * (1 / 3.f);
+    return isHit(t, Ray(place + 0.125f * (middle - place) + away, -away));
+}
+
+// Why neither of two neighbours is hit on their common edge.
+std::string whyCracked(const std::vector<Triangle>& triangles, const Vec3& place,
+                       const Vec3& away) {
+    int near = 0, inward = 0;
+    std::string why;
+    for (const Triangle& t : triangles) {
+        const Asked asked{t, Ray(place + away, -away), placeOf(t, place), 1};
+        if (!shouldHit(asked)) continue;
+        ++near;
+        inward += hitsInward(t, place, away);
+        if (why.empty()) why = whyWrong(asked);
+    }
+    return inward == near ? "on an edge v, w or 1 - v - w is exactly 0: both neighbours leave "
+                            "their edge out here, and rays slip through the crack between them"
+                          : why;
+}
+
 void expectNoCrack(const std::vector<Triangle>& triangles, const Vec3& place, const Vec3& away) {
     const Ray ray(place + away, -away);
     for (const Triangle& t : triangles)
         if (isHit(t, ray)) return;
-    fail(
-        {lab::text(ray) + " to " + lab::text(place) +
-             ", a point of an edge that two triangles share",
-         "no hit on either of them", "a hit on at least one",
-         "on an edge v, w or 1 - v - w is exactly 0: if both neighbours leave their edge out, rays "
-         "slip through the crack between them"});
+    fail({text(ray) + " to " + text(place) + ", a point of an edge that two triangles share",
+          "no hit on either of them", "a hit on at least one", whyCracked(triangles, place, away)});
 }
 
 }  // namespace

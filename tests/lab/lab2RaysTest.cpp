@@ -2,46 +2,49 @@
 #include <cmath>
 
 #include "lab/photo.h"
-#include "lab/triangles.h"
+#include "lab/triangleMistakes.h"
 
 using namespace lab;
 using namespace sw;
 
 namespace {
 
-constexpr const char* notANumber =
-    "n * dir is 0 and so is what it divides: 0 / 0 is NaN, and NaN answers every comparison with "
-    "false. Which answer lets it through?";
-constexpr const char* infinite =
-    "n * dir is 0: a number divided by it is infinite, and no point of the ray";
+const char* whyAccepted(const Intersection& hit) {
+    return std::isnan(hit.hitT) ? ", and NaN answers every comparison with false" : "";
+}
 
 // No ray has any business with that triangle.
-void expectMiss(const std::string& about, const Triangle& t, const Ray& ray, const char* hint) {
+void expectMiss(const std::string& about, const Triangle& t, const Ray& ray,
+                const std::string& whyFault) {
     Intersection hit;
-    hit.hitT = 0;
     if (!t.intersect(ray, hit)) return;
-    const bool nan = std::isnan(hit.hitT) || std::isnan(hit.position[0]);
-    fail({lab::text(ray) + ", " + about + " " + lab::text(t),
-          "a hit at t = " + lab::text(hit.hitT) + ", position " + lab::text(hit.position), "no hit",
-          nan ? notANumber : hint});
+    const std::string fault = faultOfHit(hit);
+    fail({text(ray) + ", " + about + " " + text(t),
+          "a hit at t = " + text(hit.hitT) + ", position " + text(hit.position), "no hit",
+          fault.empty() ? "" : fault + whyFault + whyAccepted(hit)});
 }
 
-// The plain triangle is met at t = 4 between minT and maxT.
-bool metWithin(float minT, float maxT) {
-    return isHit(plainTriangle(), Ray({1, 1, 2}, {0, 0, -0.5f}, minT, maxT));
+// In the plane or parallel to it.
+void expectMissAlong(const std::string& about, const Triangle& t, const Ray& ray) {
+    expectMiss(about, t, ray, "; n . d is 0 here");
 }
 
-void expectWithin(float minT, float maxT, bool met, const char* hint) {
-    if (metWithin(minT, maxT) == met) return;
-    fail({"a ray that meets " + lab::text(plainTriangle()) +
-              " at t = 4, with minT = " + lab::text(minT) + " and maxT = " + lab::text(maxT),
-          met ? "no hit" : "a hit", met ? "a hit" : "no hit", met ? whyMissed() : hint});
+void expect(const Asked& asked, const std::string& about) {
+    Intersection hit;
+    const bool found = asked.shape.intersect(asked.ray, hit), due = shouldHit(asked);
+    if (found == due) return;
+    const std::string fault = found ? faultOfHit(hit) : "";
+    fail({about, found ? "a hit" : "no hit", due ? "a hit" : "no hit",
+          fault.empty() ? whyWrong(asked) : fault});
 }
 
-constexpr const char* past =
-    "a hit counts only before maxT: shadow rays end at the light, and nearer things hide others";
-constexpr const char* early =
-    "a hit counts only after minT: what leaves a surface must not meet it again";
+// The plain triangle is met at t = 4.
+void expectWithin(float minT, float maxT) {
+    const Asked asked{
+        plainTriangle(), Ray({1, 1, 2}, {0, 0, -0.5f}, minT, maxT), {0.25f, 0.25f}, 4};
+    expect(asked, "a ray that meets " + text(plainTriangle()) +
+                      " at t = 4, with minT = " + text(minT) + " and maxT = " + text(maxT));
+}
 
 }  // namespace
 
@@ -56,7 +59,7 @@ TEST_CASE("a ray in the plane of a triangle is no hit", "[lab2]") {
                  {Barycentric{0, 1}, Barycentric{1, 0}, Barycentric{1, 1}, Barycentric{-2, 3}}) {
                 const Triangle& t = sample.shape;
                 const Vec3 along = at(t, to) - at(t, {0, 0});
-                expectMiss("in the plane of", t, Ray(at(t, from), along), infinite);
+                expectMissAlong("in the plane of", t, Ray(at(t, from), along));
             }
 }
 
@@ -66,13 +69,13 @@ TEST_CASE("a ray parallel to a triangle is no hit", "[lab2]") {
     for (const float height : {4.f, -4.f, 0.25f})
         for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 1, 0), Vec3(-2, 1, 0)})
             for (const Vec3& start : {Vec3(1, 1, 0), Vec3(-4, 0, 0), Vec3(4, 4, 0)})
-                expectMiss("parallel to", t, Ray(start + Vec3(0, 0, height), along), infinite);
+                expectMissAlong("parallel to", t, Ray(start + Vec3(0, 0, height), along));
 }
 
 TEST_CASE("a triangle without area is never hit", "[lab2]") {
     requireHits();
     const Vec3 a(1, 0, 0), middle(2, 1, 1), b(3, 2, 2), origin(2, 1, 6);
-    const char* hint = "a triangle whose corners lie on a line has no normal: n is 0 there";
+    const char* hint = "; n is 0 here, as the vertices lie on a line";
     for (const Triangle& t : {triangle(a, a, a), triangle(a, a, b), triangle(a, b, a),
                               triangle(b, a, a), triangle(a, b, middle), triangle(a, middle, b)})
         for (const Vec3& target : {a, middle, b})
@@ -83,38 +86,51 @@ TEST_CASE("a triangle behind the ray's origin is no hit", "[lab2]") {
     requireHits();
     for (const TriangleCase& sample : triangleCases())
         for (const float height : {1.f, -2.f}) {
-            const Ray there =
-                rayTo(sample.shape, {0.25f, 0.5f}, sample.size * height * sample.normal);
-            const Ray away(there.orig, -there.dir);
-            expectMiss("turned away from", sample.shape, away,
-                       isHit(sample.shape, there)
-                           ? "a ray begins at its origin: where t is negative, it has not been"
-                           : "the sign of t is turned round: positive t lies ahead of the ray's "
-                             "origin");
+            Asked asked =
+                askedTo(sample.shape, {0.25f, 0.5f}, sample.size * height * sample.normal);
+            asked.ray.dir = -asked.ray.dir;
+            asked.t = -1;
+            expect(asked, text(asked.ray) + ", turned away from " + text(sample.shape));
         }
 }
 
 TEST_CASE("a triangle is no hit past the end of the ray", "[lab2]") {
     requireHits();
-    expectWithin(0, FLT_MAX, true, "");
-    expectWithin(0, 4.125f, true, "");
-    expectWithin(0, 3.875f, false, past);
-    expectWithin(0, 1, false, past);
+    for (const float maxT : {FLT_MAX, 4.125f, 3.875f, 1.f}) expectWithin(0, maxT);
 }
 
 TEST_CASE("a triangle is no hit before the beginning of the ray", "[lab2]") {
     requireHits();
-    expectWithin(3.875f, FLT_MAX, true, "");
-    expectWithin(-1, 5, true, "");
-    expectWithin(4.125f, FLT_MAX, false, early);
-    expectWithin(100, FLT_MAX, false, early);
+    expectWithin(3.875f, FLT_MAX);
+    expectWithin(-1, 5);
+    expectWithin(4.125f, FLT_MAX);
+    expectWithin(100, FLT_MAX);
 }
 
 TEST_CASE("a ray that starts on a triangle does not hit it", "[lab2]") {
     requireHits();
-    for (const Vec3& along : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0.5f, 2)})
-        expectMiss("which starts on", plainTriangle(), Ray({1, 1, 0}, along),
-                   "t is 0 here, and a hit counts only where t is greater than minT, not equal");
+    for (const Vec3& along : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0.5f, 2)}) {
+        const Asked asked{plainTriangle(), Ray({1, 1, 0}, along), {0.25f, 0.25f}, 0};
+        expect(asked, text(asked.ray) + ", which starts on " + text(asked.shape));
+    }
+}
+
+TEST_CASE("what a record held before does not decide about a hit", "[lab2]") {
+    requireHits();
+    for (const float hitT : {-1.f, 0.f, 0.5f, 3.f, FLT_MAX})
+        for (const float height : {4.f, -4.f}) {
+            const Asked asked = askedTo(plainTriangle(), {0.25f, 0.25f}, {0, 0, height});
+            Intersection hit;
+            hit.hitT = hitT;
+            if (asked.shape.intersect(asked.ray, hit)) continue;
+            fail({text(asked.ray) + " to " + text(asked.shape) +
+                      ", with a record that holds hitT = " + text(hitT) + " before",
+                  "no hit", "a hit at t = 1",
+                  isHit(asked.shape, asked.ray)
+                      ? "with a fresh record it is a hit: the record is where the answer goes, and "
+                        "how far the ray reaches only its maxT says"
+                      : whyWrong(asked)});
+        }
 }
 
 TEST_CASE("an octahedron in the colours of its normals: the picture", "[lab2]") {
@@ -133,9 +149,7 @@ TEST_CASE("an octahedron in the colours of its normals: the picture", "[lab2]") 
         }
         return color;
     };
-    lab::expectPicture("lab2-octahedron",
-                       lab::photo(Camera({3, 4, 7}, {0, 0, 0}, {0, 1, 0}, 32), seen), 2, 24,
-                       {"an octahedron of eight triangles, each in a colour made of its normal",
-                        "where too much or too little is covered, look at the tests of edges; "
-                        "where a face has the wrong colour, at those of normal and t"});
+    lab::expectPicture(
+        "lab2-octahedron", lab::photo(Camera({3, 4, 7}, {0, 0, 0}, {0, 1, 0}, 32), seen), 2, 24,
+        {"an octahedron of eight triangles, each in a colour made of its normal", whyNeverHit()});
 }
