@@ -120,9 +120,9 @@ TEST_CASE("every mistake names its task and the expected hint") {
         CAPTURE(patch);
         CHECK(text.compare(0, 6, "Task: ") == 0);
         CHECK((text[6] >= '1' && text[6] <= '6'));
-        CHECK(text.find("\nSays: ") == 7);
+        CHECK((text.find("\nSays: ") == 7 || text.find("\nSays nothing\n") == 7));
         CHECK(text.find("\n@@ ") != std::string::npos);
         ++mistakes;
     }
-    CHECK(mistakes >= 52);
+    CHECK(mistakes >= 90);
 }
