@@ -136,7 +136,7 @@ TEST_CASE("tests that would repeat a hint are folded behind the first", "[lab]")
     picture.hint = "same";
     build.add(picture);
     const std::string page = build.page();
-    const auto fold = page.find("<details><summary>2 tests more: the same</summary>");
+    const auto fold = page.find("<details><summary>2 more tests: the same</summary>");
     const auto foldEnd = page.find("</details>", fold);
     REQUIRE(foldEnd != std::string::npos);
     const auto place = [&](const std::string& name) {
@@ -147,7 +147,7 @@ TEST_CASE("tests that would repeat a hint are folded behind the first", "[lab]")
         CHECK((place(repeating) > fold && place(repeating) < foldEnd));
     CHECK((place("b") > foldEnd && place("b") < page.size()));
     CHECK((place("a picture") > foldEnd && place("a picture") < page.size()));
-    CHECK(count(page, "more: the same") == 1);
+    CHECK(count(page, "tests: the same") == 1);
 }
 
 TEST_CASE("what is told of a passed test is folded away", "[lab]") {

@@ -145,7 +145,9 @@ std::string failedTests(const Task& task, const std::filesystem::path& records) 
             others += failedTest(task.outcomes[k], records);
             ++count;
         }
-        html += folded(tests(count) + " more: the same", others);
+        html += folded(
+            std::to_string(count) + (count == 1 ? " more test" : " more tests") + ": the same",
+            others);
     }
     return html;
 }
