@@ -1,158 +1,185 @@
 #include "lab/lightAndFloor.h"
+#include "lab/requireShadows.h"
+#include "lab/shadowHints.h"
 
 using namespace lab;
 using namespace sw;
 
 namespace {
 
-constexpr const char* beyondLight =
-    "what stands beyond a light does not hide it: the shadow ray has to end at the light";
-
-constexpr const char* tooShort =
-    "the shadow ray ends before it is at the light: maxT counts in units of the direction, as t "
-    "does";
-
-const Light above({0, 0, 6});
-
-std::string about(const Vec3& centre) {
-    return "the floor's point (0, 0, 0) under a light at (0, 0, 6), with a ball of radius 0.5 at " +
-           lab::text(centre);
+std::string about(const Sphere& ball, const Light& light) {
+    return "the floor's point " + lab::text(point) + " under a light at " +
+           lab::text(light.position) + ", with a ball of radius " + lab::text(ball.radius) +
+           " at " + lab::text(ball.center);
 }
 
-// Of the floor's point (0, 0, 0); with a thing in the scene, or without.
-Color seen(const std::vector<Light>& lights, const std::vector<Sphere>& things, int depth = 0) {
-    Scene scene = floorUnder(lights);
-    for (const Sphere& sphere : things) scene.push(sphere);
-    return lookAt(scene, {0, 0, 0}, depth);
+enum class Expected { hidden, lit };
+
+[[noreturn]] void failAt(const std::string& tried, const Color& got, Expected expected,
+                         const Shades& shades, const std::string& hint,
+                         const Exposure& exposure = shown()) {
+    const std::string fault = newFault(got, shades);
+    fail({tried + remark(exposure), "the colour " + lab::text(got),
+          expected == Expected::hidden ? lab::text(shades.without) + ", as without that light"
+                                       : lab::text(shades.lit) + ", as without the ball",
+          fault.empty() ? hint : fault});
 }
 
-// What the student's own shading gives where nothing stands in the way. The tests of this task
-// compare with it, so that they do not depend on task 1; but black would tell nothing.
-Color unshadowed(const std::vector<Light>& lights) {
-    const Color color = seen(lights, {});
-    if (isBlack(color))
-        fail({"a floor under a light at (0, 0, 6) and nothing else", "black", "any other colour",
-              isBlack(seen(lights, {thing({0, 0, 3})}))
-                  ? "nothing stands in the way of the light: is this a shadow, or task 1?"
-                  : "lit and shadowed are exchanged: a light is passed over where something is in "
-                    "the way"});
-    return color;
+// A thing has to hide the light, or must not.
+void expectShadow(Expected expected, const Sphere& ball, const Light& light = above) {
+    const Exposure exposure = shown(light);
+    const Shades shades = shadesOf(exposure, {light}, 0);
+    Stage stage(exposure, {light}, {ball});
+    const Color got = stage.look();
+    const bool hide = expected == Expected::hidden;
+    if (hide ? shades.isHidden(got) : shades.isLit(got)) return;
+    const bool clear = hide ? shades.isLit(got) : shades.isHidden(got);
+    const Asked rays = stage.furtherRays();
+    std::string hint = clear ? whyWrong(rays, point, light.position, ball, !hide) : "";
+    if (hide && wentOnFrom(ball, rays)) hint = hitOverwritten;
+    failAt(about(ball, light), got, expected, shades, hint, exposure);
 }
 
-void requireShadows() {
-    unshadowed({above});
-    requireAnyShadow();
-}
-
-// The hint is for those whose shadows are right where it is easiest.
-void expectBlack(const std::string& tried, const Color& got, const char* hint) {
-    if (isBlack(got)) return;
-    const bool easiest = isBlack(seen({above}, {thing({0, 0, 3})}));
-    fail({tried, "the colour " + lab::text(got), "black", easiest ? hint : tooShort});
-}
-
-void expectLit(const std::string& tried, const Color& got, const Color& lit, const char* hint) {
-    if (!same(got, lit))
-        fail({tried, "the colour " + lab::text(got), lab::text(lit) + ", as without it", hint});
+bool hides(const std::vector<Sphere>& balls) {
+    return shadesOf(shown(), {above}, 0).isHidden(Stage(shown(), {above}, balls).look());
 }
 
 }  // namespace
 
 TEST_CASE("what stands between a surface and a light hides it", "[lab3]") {
     requireShadows();
-    for (const float height : {0.75f, 1.5f, 3.f, 4.5f, 5.25f, 6.f}) {
-        const Vec3 centre(0, 0, height);
-        expectBlack(about(centre), seen({above}, {thing(centre)}),
-                    height > 1 ? tooShort
-                               : "things near the surface are overlooked: does the shadow ray "
-                                 "begin just off the surface?");
-    }
+    for (const float along : {0.75f, 1.5f, 3.f, 4.5f, 5.25f, 6.f})
+        expectShadow(Expected::hidden, thing(at(along)));
+    expectShadow(Expected::hidden, thing(at(0.3f), 0.1f));
 }
 
 TEST_CASE("what stands beyond a light casts no shadow", "[lab3]") {
     requireShadows();
-    const Color lit = unshadowed({above});
-    for (const float height : {6.75f, 8.f, 12.f, 40.f}) {
-        const Vec3 centre(0, 0, height);
-        expectLit(about(centre), seen({above}, {thing(centre)}), lit, beyondLight);
-    }
+    for (const float along : {6.75f, 8.f, 12.f, 40.f})
+        expectShadow(Expected::lit, thing(at(along)));
 }
 
 TEST_CASE("a room around everything casts no shadow", "[lab3]") {
     requireShadows();
-    expectLit("the floor under a light, inside a ball of radius 50 that holds them both",
-              seen({above}, {Sphere({0, 0, 0}, 50, matte({1, 1, 1}))}), unshadowed({above}),
-              beyondLight);
+    const Sphere room(point, 50, matte({1, 1, 1}));
+    const Shades shades = shadesOf(shown(), {above}, 0);
+    Stage stage(shown(), {above}, {room});
+    const Color got = stage.look();
+    if (shades.isLit(got)) return;
+    // Where the ray leaves the room, on its way through the light, is what hides it.
+    const Sphere wall = thing(at(50));
+    failAt("the floor under a light, inside a ball of radius 50 that holds them both", got,
+           Expected::lit, shades,
+           shades.isHidden(got) ? whyWrong(stage.furtherRays(), point, above.position, wall, true)
+                                : "");
 }
 
 TEST_CASE("what stands beside the way to a light casts no shadow", "[lab3]") {
     requireShadows();
-    const Color lit = unshadowed({above});
-    for (const Vec3& centre : {Vec3(1, 0, 3), Vec3(0, 0.75f, 5), Vec3(3, 0, 1), Vec3(0, -2, 2)})
-        expectLit(
-            about(centre), seen({above}, {thing(centre)}), lit,
-            "the shadow ray goes from the hit point to the light: does it go elsewhere here?");
+    for (const Vec3& centre : {at(3, 1), at(5, 0, 0.75f), at(1, 3), at(2, 0, -2), at(3, -1)})
+        expectShadow(Expected::lit, thing(centre));
 }
 
 TEST_CASE("what stands behind the surface casts no shadow", "[lab3]") {
     requireShadows();
-    const Color lit = unshadowed({above});
-    for (const Vec3& centre : {Vec3(0, 0, -3), Vec3(0, 0, -0.75f), Vec3(0, 0, -6)})
-        expectLit(
-            about(centre), seen({above}, {thing(centre)}), lit,
-            "the shadow ray has to start at the surface and go to the light: not the other way, "
-            "and not from beyond");
+    for (const float along : {-3.f, -0.75f, -6.f}) expectShadow(Expected::lit, thing(at(along)));
 }
 
 TEST_CASE("a shadow moves with its light", "[lab3]") {
     requireShadows();
-    const Light slanted({4, 0, 6});
-    const Color lit = unshadowed({slanted});
-    expectBlack("the floor's point (0, 0, 0) under a light at (4, 0, 6), with a ball at (2, 0, 3)",
-                seen({slanted}, {thing({2, 0, 3})}),
-                "is the shadow ray sent to this light's place?");
-    expectLit("the floor's point (0, 0, 0) under a light at (4, 0, 6), with a ball at (0, 0, 3)",
-              seen({slanted}, {thing({0, 0, 3})}), lit,
-              "is the shadow ray sent to this light's place?");
+    const Light other(at(4, 4, 1));
+    expectShadow(Expected::hidden, thing(at(2, 2, 0.5f)), other);
+    expectShadow(Expected::lit, thing(at(3)), other);
+    expectShadow(Expected::lit, thing(at(2, 2, 0.5f)), above);
 }
 
 TEST_CASE("glass and mirrors cast shadows like anything else", "[lab3]") {
     requireShadows();
-    for (const Material& material : {Material({1, 1, 1}, 0.2f, 0.8f, 1.3f), Material({1, 1, 1}, 1)})
-        expectBlack("a floor under a light, with a ball of glass or a mirror ball between them",
-                    seen({above}, {Sphere({0, 0, 3}, 0.5f, material)}),
-                    "the shadow of this lab asks whether something stands in the way, not of what "
-                    "it is made");
+    const bool matt = hides({thing(at(3))});
+    for (const Material& material :
+         {Material({1, 1, 1}, 0.2f, 0.8f, 1.3f), Material({1, 1, 1}, 1)}) {
+        const Sphere ball(at(3), 0.5f, material);
+        const Shades shades = shadesOf(shown(), {above}, 0);
+        Stage stage(shown(), {above}, {ball});
+        const Color got = stage.look();
+        if (shades.isHidden(got)) continue;
+        std::string hint;
+        if (wentOnFrom(ball, stage.furtherRays()))
+            hint = hitOverwritten;
+        else if (matt)
+            hint =
+                "the shadow of this lab asks whether something stands in the way, not of what "
+                "it is made";
+        else if (shades.isLit(got))
+            hint = whyWrong(stage.furtherRays(), point, above.position, ball, false);
+        failAt("a floor under a light, with a ball of glass or a mirror ball between them", got,
+               Expected::hidden, shades, hint);
+    }
+}
+
+// A search for any hit may find the farther one first: here the one that was pushed first.
+TEST_CASE("what stands beyond a light does not keep a shadow from falling", "[lab3]") {
+    requireShadows();
+    const Sphere between = thing(at(3)), beyond = thing(at(12));
+    const bool nearFirst = hides({between, beyond}), farFirst = hides({beyond, between});
+    if (nearFirst && farFirst) return;
+    fail({"the floor's point " + lab::text(point) + " under a light at " +
+              lab::text(above.position) + remark(shown()) +
+              ", with one ball between them and one beyond the light",
+          "the light is not hidden", "a shadow, as the first ball casts it alone",
+          nearFirst && hides({between}) && !hides({beyond})
+              ? "a search for any hit may find one beyond the light, though another one lies "
+                "between: it need not be the nearest"
+              : ""});
 }
 
 TEST_CASE("each light has its own shadow", "[lab3]") {
     requireShadows();
-    const Light red({0, 0, 6}, {1, 0, 0}), green({4, 0, 6}, {0, 1, 0});
-    const Color redAlone = unshadowed({red}), greenAlone = unshadowed({green});
-    const auto expectOnly = [](const std::vector<Light>& lights, const Vec3& centre,
-                               const Color& expected) {
-        const Color got = seen(lights, {thing(centre)});
-        if (same(got, expected)) return;
-        fail({"a floor under a light in shadow and another one that nothing hides",
-              "the colour " + lab::text(got), lab::text(expected) + ", as of the other light alone",
-              isBlack(got) ? "the shadow of one light darkens the other as well: in shadow of "
-                             "one, go on with the next"
-              : isBlack(seen({above}, {thing({0, 0, 3})}))
-                  ? "every light needs a shadow ray of its own"
-                  : tooShort});
+    const Light red(at(6), {1, 0, 0}), green(at(2, 5, 3), {0, 1, 0});
+    const auto expectOthers = [](const std::vector<Light>& lights, std::size_t hidden) {
+        const Sphere ball = thing(point + (lights[hidden].position - point) * 0.5f);
+        const Shades shades = shadesOf(shown(), lights, hidden);
+        Stage stage(shown(), lights, {ball});
+        const Color got = stage.look();
+        if (shades.isHidden(got)) return;
+        const Color dark = Stage(shown(), {}, {}).look();
+        std::string hint;
+        if (wentOnFrom(ball, stage.furtherRays()))
+            hint = hitOverwritten;
+        else if (same(got, dark))
+            // The second is asked about only where the first one's shadow did no harm.
+            hint = hidden == 0 ? "the shadow of one light darkens the other as well: in shadow of "
+                                 "one, go on with the next"
+                               : "the shadow of one light takes away what another one has brought "
+                                 "already: it is to pass over its own light and nothing else";
+        else if (shades.isLit(got) && stage.furtherRays().size() == 1)
+            hint = "every light needs a shadow ray of its own";
+        failAt("a floor under two lights, the " + std::string(hidden == 0 ? "first" : "second") +
+                   " of them in shadow",
+               got, Expected::hidden, shades, hint);
     };
-    for (const auto& lights : {std::vector{red, green}, std::vector{green, red}}) {
-        expectOnly(lights, {0, 0, 3}, greenAlone);
-        expectOnly(lights, {2, 0, 3}, redAlone);
-    }
+    for (const auto& lights : {std::vector{red, green}, std::vector{green, red}})
+        for (const std::size_t hidden : {0u, 1u}) expectOthers(lights, hidden);
 }
 
 TEST_CASE("there are shadows at every depth of recursion", "[lab3]") {
     requireShadows();
-    for (const int depth : {0, 1, 5})
-        expectBlack("a ball between floor and light, seen by traceRay() with depth " +
-                        std::to_string(depth),
-                    seen({above}, {thing({0, 0, 3})}, depth),
-                    "depth limits reflected and refracted rays alone: a shadow ray is needed at "
-                    "every depth");
+    const Shades usual = shadesOf(shown(), {above}, 0);
+    for (const int depth : {0, 1, 2, 5}) {
+        const Shades shades = shadesOf(shown(), {above}, 0, depth);
+        // Such a colour is none that shading gives, but belongs to task 4.
+        if (!same(shades.lit, usual.lit)) continue;
+        Stage stage(shown(), {above}, {thing(at(3))});
+        const Color got = stage.look(depth);
+        if (shades.isHidden(got)) continue;
+        std::string hint;
+        if (shades.isLit(got))
+            hint = hides({thing(at(3))})
+                       ? "depth limits reflected and refracted rays alone: a shadow ray is needed "
+                         "at every depth"
+                       : whyWrong(stage.furtherRays(), point, above.position, thing(at(3)), false);
+        failAt("a ball between floor and light, seen by traceRay() with depth " +
+                   std::to_string(depth),
+               got, Expected::hidden, shades, hint);
+    }
 }
