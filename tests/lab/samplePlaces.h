@@ -1,92 +1,69 @@
 #pragma once
 
-#include "lab/samples.h"
+#include "lab/sampleCounts.h"
+#include "lab/sampleFormulas.h"
 
 /// What is wrong with the places of samples.
 namespace lab {
-
-inline bool inFirstCell(const Sample& s, int n) {
-    const float end = 1 / static_cast<float>(n) + rounding;
-    return s.x < end && s.y < end;
-}
 
 inline bool leavesPixel(const Sample& s) {
     const float low = -rounding, high = 1 + rounding;
     return !(s.x >= low && s.x <= high && s.y >= low && s.y <= high);
 }
 
-// Whether two parts of a cell are the same; the end of one cell is the beginning of the next.
+/// Whether two parts of a cell are the same; the end of one cell is the beginning of the next.
 inline bool samePart(float a, float b) {
     const float apart = std::fabs(a - b);
     return std::min(apart, 1 - apart) < 0.001f;
 }
 
-inline std::string countHint(const Samples& samples) {
-    const int n = samples.n, count = static_cast<int>(samples.pixels[0].size());
-    if (count == 1) {
-        return "samplePixel() in main.cpp takes a single sample, as the starter does: this is "
-               "where task 6 begins";
-    }
-    if (count == n)
-        return "one row or one diagonal of the grid is not all of it: n rows have n "
-               "cells each";
-    return "one sample for each cell of a grid of n rows and n columns";
-}
-
 inline bool wrongCount(const Samples& samples) {
     const auto expected = static_cast<std::size_t>(samples.n * samples.n);
-    return std::any_of(samples.pixels.begin(), samples.pixels.end(),
-                       [&](const auto& pixel) { return pixel.size() != expected; });
+    return std::any_of(samples.pixels.begin(), samples.pixels.end(), [&](const Pixel& pixel) {
+        return pixel.endless || pixel.lost > 0 || pixel.samples.size() != expected;
+    });
 }
 
-// Whether the samples lie at the same places in all pixels.
+inline bool samePlaces(const Pixel& a, const Pixel& b) {
+    return std::equal(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end(),
+                      [](const Sample& s, const Sample& t) {
+                          return std::fabs(s.x - t.x) + std::fabs(s.y - t.y) < 1e-4f;
+                      });
+}
+
+/// Whether the samples lie at the same places in all pixels.
 inline bool isPattern(const Samples& samples) {
-    const auto& first = samples.pixels[0];
-    for (const auto& pixel : samples.pixels)
-        for (std::size_t i = 0; i < pixel.size(); ++i)
-            if (std::fabs(pixel[i].x - first[i].x) + std::fabs(pixel[i].y - first[i].y) > 1e-4f)
+    return std::all_of(samples.pixels.begin(), samples.pixels.end(),
+                       [&](const Pixel& pixel) { return samePlaces(pixel, samples.pixels[0]); });
+}
+
+/// Whether each pixel has its samples at the same places whatever its seed.
+inline bool isSeedless(const Samples& samples) {
+    const auto& pixels = samples.pixels;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (pixels[i].x == pixels[j].x && pixels[i].y == pixels[j].y &&
+                !samePlaces(pixels[i], pixels[j]))
                 return false;
     return true;
 }
 
-inline std::string patternHint(const Samples& samples) {
-    const auto allAt = [&](float part) {
-        return share(samples, [&](const Sample& s) {
-                   return samePart(inCell(s.x, samples.n), part) &&
-                          samePart(inCell(s.y, samples.n), part);
-               }) > 0.99f;
-    };
-    if (allAt(0.5f))
-        return "all samples lie in the centres of their cells: a random number moves "
-               "each to some other place in its cell, and turns steps into noise";
-    if (allAt(0))
-        return "all samples lie in the corners of their cells: a random number moves "
-               "each to some place inside";
-    return "the samples lie at the same places in every pixel: do the random numbers start anew "
-           "each time?";
-}
-
-// The fraction of pairs of samples in one pixel that share a random number.
+/// The fraction of pairs of samples in one pixel that lie alike in their cells, in x or in y.
 inline float sharedNumbers(const Samples& samples) {
     const int n = samples.n;
-    float shared = 0, all = 0;
-    for (const auto& pixel : samples.pixels)
-        for (std::size_t i = 0; i < pixel.size(); ++i)
+    float shared = 0, pairs = 0;
+    for (const Pixel& pixel : samples.pixels)
+        for (std::size_t i = 0; i < pixel.samples.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
-                ++all;
-                shared += samePart(inCell(pixel[i].x, n), inCell(pixel[j].x, n)) ||
-                          samePart(inCell(pixel[i].y, n), inCell(pixel[j].y, n));
+                const Sample &a = pixel.samples[i], &b = pixel.samples[j];
+                ++pairs;
+                shared += samePart(inCell(a.x, n), inCell(b.x, n)) ||
+                          samePart(inCell(a.y, n), inCell(b.y, n));
             }
-    return shared / all;
+    return pairs > 0 ? shared / pairs : 0;
 }
 
-inline bool oneNumberForBoth(const Samples& samples) {
-    return share(samples, [&](const Sample& s) {
-               return samePart(inCell(s.x, samples.n), inCell(s.y, samples.n));
-           }) > 0.9f;
-}
-
-// The smallest and the largest of some numbers.
+/// The smallest and the largest of some numbers.
 struct Range {
     float low = 2, high = -2;
     void add(float x) { low = std::min(low, x), high = std::max(high, x); }
@@ -94,74 +71,122 @@ struct Range {
     bool isWhole() const { return low < 0.03f && high > 0.97f; }
 };
 
-// Where the samples lie along one axis, in the pixel and in their cells.
+/// Where the samples lie along one axis, in the pixel and in their cells.
 struct Coverage {
     Range pixel, cell;
     bool isWhole() const { return pixel.isWhole() && cell.isWhole(); }
 };
 
+/// Where the end of one cell, but for rounding, is the beginning of the next.
 inline Coverage coverage(const Samples& samples, float Sample::*axis) {
     Coverage c;
-    for (const auto& pixel : samples.pixels)
-        for (const Sample& s : pixel) {
+    for (const Pixel& pixel : samples.pixels)
+        for (const Sample& s : pixel.samples) {
             c.pixel.add(s.*axis);
-            c.cell.add(inCell(s.*axis, samples.n));
+            const float part = inCell(s.*axis, samples.n);
+            c.cell.add(part > 0.9999f ? 0 : part);
         }
     return c;
 }
 
-// Random numbers that are none, or too few.
-inline std::string randomHint(const Samples& samples) {
-    if (isPattern(samples)) return patternHint(samples);
-    if (oneNumberForBoth(samples)) {
+/// Whether each sample lies in the pixel that has x and y exchanged.
+inline bool axesAreSwapped() {
+    return allFew([](const Samples& samples) {
+        return std::all_of(samples.pixels.begin(), samples.pixels.end(), [](const Pixel& p) {
+            const float turn = static_cast<float>(p.x - p.y);
+            return std::none_of(p.samples.begin(), p.samples.end(), [&](const Sample& s) {
+                return leavesPixel({s.x + turn, s.y - turn});
+            });
+        });
+    });
+}
+
+/// Numbers that are not random, or too few.
+inline std::string randomHint() {
+    if (allFew(isPattern) && !isWithoutNumbers())
+        return "the samples lie at the same places in every pixel, whatever its seed: uniform() "
+               "gives other numbers each time";
+    if (allFew(isSeedless) && !allFew(isPattern))
+        return "a pixel has its samples at the same places whatever its seed: uniform() gives "
+               "other "
+               "numbers for each";
+    return "";
+}
+
+/// Samples that share numbers.
+inline std::string sharingHint() {
+    if (allFew([](const Samples& samples) {
+            return all(samples, [&](const Sample& s) {
+                return samePart(inCell(s.x, samples.n), inCell(s.y, samples.n));
+            });
+        }))
         return "one random number is used for both axes, so all samples lie on the diagonals of "
                "their cells: draw one for x and another one for y";
-    }
-    if (sharedNumbers(samples) > 0.1f) {
+    const bool fromUniform = isRight(&Sample::x) && isRight(&Sample::y);
+    if (fromUniform && allFew([](const Samples& samples) { return sharedNumbers(samples) > 0.1f; }))
         return "several samples of a pixel share a random number: draw new ones for every sample, "
                "in the innermost loop";
-    }
     return "";
 }
 
-// Samples that do not reach everywhere.
-inline std::string coverageHint(const Samples& samples) {
-    for (const auto axis : {&Sample::x, &Sample::y}) {
-        const Coverage c = coverage(samples, axis);
-        if (c.isWhole()) continue;
-        if (c.cell.isWhole()) {
-            return "the samples cover only part of the pixel: together the cells fill it from "
-                   "edge to edge";
-        }
-        return "the samples cover only part of each cell: a random number between 0 and 1 reaches "
-               "from one edge of the cell to the other";
+/// Samples in the right pixel that do not reach everywhere.
+inline std::string coverageHint() {
+    for (const int n : {2, 3, 5}) {
+        const Samples samples = manySamples(n);
+        if (coverage(samples, &Sample::x).cell.isWhole() &&
+            coverage(samples, &Sample::y).cell.isWhole())
+            return "";
     }
+    return "the samples cover only part of each cell: a random number between 0 and 1 reaches from "
+           "one edge of the cell to the other";
+}
+
+/// The cells on the diagonal, and no others.
+inline bool onDiagonal() {
+    return allFew([](const Samples& samples) {
+        const float n = static_cast<float>(samples.n);
+        return all(samples, [&](const Sample& s) {
+            return std::floor(s.x * n * 0.99999f) == std::floor(s.y * n * 0.99999f);
+        });
+    });
+}
+
+/// Samples that are right in number, and each in the pixel.
+inline std::string placeInPixelHint() {
+    const auto isSound = [](const Samples& samples) {
+        return !wrongCount(samples) &&
+               all(samples, [](const Sample& s) { return !leavesPixel(s); });
+    };
+    if (!allFew(isSound)) return "";
+    if (onDiagonal())
+        return "all samples lie in the cells of the diagonal: rows and columns are counted "
+               "independently of each other";
+    const std::string hint = sharingHint();
+    return hint.empty() ? coverageHint() : hint;
+}
+
+inline std::string placeHint() {
+    if (axesAreSwapped())
+        return "the samples lie in pixel (y, x): the camera takes x, to the right, before y";
+    const bool onePoint = allCounts([](const Count& c) { return found(c) == 1; });
+    if (onePoint && !isWithoutNumbers())
+        return "all rays of a pixel go through the same point: each cell has a point of its own";
+    for (const auto find : {randomHint, formulaHint, placeInPixelHint})
+        if (const std::string hint = find(); !hint.empty()) return hint;
     return "";
 }
 
-// Samples in wrong places altogether.
-inline std::string strayHint(const Samples& samples) {
-    if (share(samples, leavesPixel) > 0) {
-        return "samples lie beyond the pixel: a cell is only 1 / n wide, its first one begins at "
-               "the pixel's corner, and the random number moves a sample from its cell's corner "
-               "by less than that";
-    }
-    if (share(samples, [&](const Sample& s) { return inFirstCell(s, samples.n); }) == 1) {
-        return "all samples lie in the first cell: a whole number divided by a whole number is a "
-               "whole number, and the fraction is lost";
-    }
-    return "";
-}
-
-/// The first known mistake that explains where the samples lie.
-inline std::string placeHint(const Samples& samples) {
-    if (wrongCount(samples)) return countHint(samples);
-    for (const auto find : {strayHint, randomHint, coverageHint}) {
-        const std::string hint = find(samples);
-        if (!hint.empty()) return hint;
-    }
-    return "each sample belongs to one cell of the grid, in which a random number of its own "
-           "gives it a place";
+/// The known mistake that explains the number and the places of all samples; empty if there is
+/// none, and where all is well.
+inline std::string sampleHint() {
+    if (!allFew([](const Samples& samples) {
+            return std::all_of(samples.pixels.begin(), samples.pixels.end(),
+                               [](const Pixel& pixel) { return pixel.lost == 0; });
+        }))
+        return "the camera is asked for a place that is NaN or infinite, as a division by 0 makes "
+               "it";
+    const std::string hint = countHint();
+    return hint.empty() ? placeHint() : hint;
 }
 
 }  // namespace lab

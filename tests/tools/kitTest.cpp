@@ -120,9 +120,21 @@ TEST_CASE("every mistake names its task and the expected hint") {
         CAPTURE(patch);
         CHECK(text.compare(0, 6, "Task: ") == 0);
         CHECK((text[6] >= '1' && text[6] <= '6'));
-        CHECK((text.find("\nSays: ") == 7 || text.find("\nSays nothing\n") == 7));
+        CHECK((text.find("\nSays: ") == 7 || text.find("\nSays nothing\n\n") == 7));
         CHECK(text.find("\n@@ ") != std::string::npos);
         ++mistakes;
     }
     CHECK(mistakes >= 90);
+}
+
+TEST_CASE("every right program says in which words it is right") {
+    int programs = 0;
+    for (const fs::path& patch : filesIn(project / "tests/lab/right")) {
+        const std::string text = contentOf(patch);
+        CAPTURE(patch);
+        CHECK((text.compare(0, 7, "Right: ") == 0 || text.compare(0, 7, "Loses: ") == 0));
+        CHECK(text.find("\n@@ ") != std::string::npos);
+        ++programs;
+    }
+    CHECK(programs >= 12);
 }

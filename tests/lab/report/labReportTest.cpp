@@ -150,6 +150,14 @@ TEST_CASE("tests that would repeat a hint are folded behind the first", "[lab]")
     CHECK(count(page, "tests: the same") == 1);
 }
 
+TEST_CASE("a note on a passed test stands behind its name", "[lab]") {
+    Build build;
+    Record record = recordOf(6, "counts rays", Verdict::passed);
+    record.got = "right but slow";
+    build.add(record);
+    CHECK(contains(build.page(), "<li>counts rays: right but slow</li>"));
+}
+
 TEST_CASE("what is told of a passed test is folded away", "[lab]") {
     Build build;
     build.add(recordOf(2, "hits the middle", Verdict::passed));

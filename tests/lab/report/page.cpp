@@ -167,14 +167,18 @@ std::string slowTests(const Task& task) {
                      element("ul", "", items);
 }
 
-// The names of the tests that came out so, to be unfolded.
+std::string note(const Record& record) {
+    return record.got.empty() ? "" : ": " + record.got;
+}
+
+// The names of the tests that came out so, to be unfolded. One that passed may have a note.
 std::string namesOf(const Task& task, State state, const std::string& what) {
     std::string items;
     for (const Outcome& outcome : task.outcomes)
         if (outcome.state == state)
-            items +=
-                element("li", "",
-                        escaped(outcome.record.test) + (outcome.outOfDate ? " (out of date)" : ""));
+            items += element("li", "",
+                             escaped(outcome.record.test + note(outcome.record)) +
+                                 (outcome.outOfDate ? " (out of date)" : ""));
     return items.empty() ? ""
                          : folded(tests(task.count(state)) + " " + what, element("ul", "", items));
 }
