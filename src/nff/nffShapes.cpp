@@ -37,7 +37,7 @@ std::vector<std::string> NffShapes::warnings() const {
     std::vector<std::string> lines;
     for (const Oddity& oddity : oddities)
         lines.push_back(tokens.place(oddity.first) + "warning: " + oddity.what + " (" +
-                        oddity.kind + std::to_string(oddity.count) + ")");
+                        std::string(oddity.kind) + std::to_string(oddity.count) + ")");
     return lines;
 }
 

@@ -47,7 +47,7 @@ public:
 
 private:
     struct Oddity {
-        const char* kind;
+        std::string_view kind;
         const char* first;  // where the first one is in the text
         std::string what;   // is wrong with the first one
         int count;
