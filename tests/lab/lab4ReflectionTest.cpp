@@ -1,4 +1,4 @@
-#include "lab/mirrors.h"
+#include "lab/mirrorModels.h"
 
 using namespace lab;
 using namespace sw;
@@ -11,43 +11,15 @@ struct Mirrored {
     Vec3 in, normal, out;  // out as a unit vector
 };
 
-// d: the unit direction of the ray that comes in.
-std::string directionHint(const Ray& got, const Vec3& d, const Mirrored& m) {
-    if (isEmpty(got)) {
-        return "getReflectedRay() in swIntersection.cpp still returns an empty "
-               "ray: this is where task 4 begins";
-    }
-    if (!isNumber(got.dir)) return "only sums and products are needed here: where is a NaN born?";
-    const Vec3 g = unit(got.dir);
-    if (alike(g, m.out)) {
-        return "it goes the right way, but a reflected ray has a direction of length 1, however "
-               "long the one was that came in";
-    }
-    return hintFor(
-        g,
-        {{-m.out,
-          "every sign is the wrong way round: this is where the mirrored ray would come "
-          "from, not where it goes"},
-         {unit(2 * d - m.out),
-          "this ray is reflected about the wrong side and dives deeper into the surface: turn the "
-          "part of the direction along the normal round, do not make it longer"},
-         {unit(d + m.out),
-          "this ray slides along the surface: you took the part along the normal away once, which "
-          "only stops it; a mirror sends it back"},
-         {d, "the ray goes on as if there were no mirror"},
-         {-d, "the ray goes back the way it came; a mirror does so only when it is met head-on"}},
-        g * m.normal < 0
-            ? "this ray goes into the surface; a mirrored one stays on the side it came from"
-            : "a mirror keeps the part of the direction along the surface and turns the part along "
-              "the normal round");
-}
-
 void expectMirrored(const Mirrored& m) {
+    const Meeting meeting{unit(m.in), m.normal, true, m.in.norm()};
     const Ray got = hitBy(m.in, m.normal, opaque(1)).getReflectedRay();
     if (!isEmpty(got) && alike(got.dir, m.out)) return;
+    const bool isUnit = std::fabs(meeting.length - 1) < 1e-4f;
     fail({"getReflectedRay() of a ray with direction " + text(m.in) +
               " that meets a surface with normal " + text(m.normal),
-          "the direction " + text(got.dir), text(m.out), directionHint(got, unit(m.in), m)});
+          "the direction " + text(got.dir), text(m.out),
+          isUnit ? mirrorHint(got, meeting) : mirrorLengthHint(got, meeting)});
 }
 
 constexpr float diagonal = 0.70710678f;
@@ -111,72 +83,71 @@ Vec3 pointOnBall(test::Random& random) {
 }
 
 // The points of 1000 random ones from which the mirrored ray goes wrong, as told by `wrong`.
-template <typename Wrong>
-int countWrong(bool inside, Wrong wrong) {
+// @param asked  for a hint, about each of them
+template <typename Wrong, typename Hint>
+Verdict judge(bool inside, Wrong wrong, Hint hint) {
     test::Random random(3);
-    int sum = 0, asked = 0;
-    while (asked < 1000) {
+    Verdict verdict;
+    for (int asked = 0; asked < 1000;) {
         const Vec3 from = inside ? pointOnBall(random) : ball.center + 20 * random.direction();
-        Ray ray(from, pointOnBall(random) - from, inside ? 0.01f : 0);
+        const Ray ray(from, unit(pointOnBall(random) - from), inside ? 0.01f : 0);
         Intersection hit;
         // Hits that graze the ball leave no room for doubt: rounding alone may decide them.
-        if (!ball.intersect(ray, hit) || unit(ray.dir) * hit.normal > -0.1f) continue;
+        if (!ball.intersect(ray, hit) || ray.dir * hit.normal > -0.1f) continue;
         ++asked;
-        sum += wrong(hit, hit.getReflectedRay());
+        const Ray mirrored = hit.getReflectedRay();
+        if (isEmpty(mirrored) || wrong(hit, mirrored)) verdict.add(hint(hit, mirrored));
     }
-    return sum;
+    return verdict;
 }
 
-std::string outOfAThousand(int count, const std::string& what) {
-    return std::to_string(count) + " of 1000 " + what;
+// Why a ray goes wrong: its direction, else its start.
+std::string rayHint(const Intersection& hit, const Ray& mirrored) {
+    const Meeting meeting{hit.ray.dir, hit.normal, hit.frontFacing};
+    if (isStarters(mirrored)) return reflectionNotYet;
+    if (agree(heading(mirrored.dir), meeting.mirrored()))
+        return startHint(mirrored, hit, hit.normal, "mirrored");
+    return mirrorHint(mirrored, meeting);
 }
 
-const std::string notYet = "getReflectedRay() in swIntersection.cpp returns an empty ray";
+void expectNone(const std::string& tried, const Verdict& verdict, const std::string& what) {
+    if (verdict.wrong() == 0) return;
+    const bool empty = verdict.hint() == reflectionNotYet;
+    fail({tried, std::to_string(verdict.wrong()) + " of 1000 " + (empty ? "are empty" : what),
+          "none", verdict.hint()});
+}
 
 }  // namespace
 
 TEST_CASE("a ray mirrored by a ball never hits that ball again", "[lab4]") {
-    int empty = 0;
-    const int again = countWrong(false, [&](const Intersection&, const Ray& mirrored) {
+    const auto again = [](const Intersection&, const Ray& mirrored) {
         Intersection hit;
-        empty += isEmpty(mirrored);
-        return isEmpty(mirrored) || ball.intersect(mirrored, hit);
-    });
-    if (again == 0) return;
-    fail({"rays mirrored by a ball from outside",
-          outOfAThousand(again, empty > 0 ? "are empty" : "hit the same ball again"), "none",
-          empty > 0 ? notYet
-                    : "rounding puts many hit points just below the surface: start the "
-                      "mirrored ray a little way off it, on the side that the ray came from"});
+        return ball.intersect(mirrored, hit);
+    };
+    expectNone("rays mirrored by a ball from outside", judge(false, again, rayHint),
+               "hit the same ball again");
 }
 
 TEST_CASE("a mirrored ray starts where the surface was hit", "[lab4]") {
-    int empty = 0;
-    const int astray = countWrong(false, [&](const Intersection& hit, const Ray& mirrored) {
-        empty += isEmpty(mirrored);
-        const Vec3 start = mirrored.orig + mirrored.minT * mirrored.dir;
-        return isEmpty(mirrored) || !alike(start, hit.position, 0.05f) || mirrored.maxT < 1e6f;
-    });
-    if (astray == 0) return;
-    fail({"rays mirrored by a ball of radius 5",
-          outOfAThousand(astray, empty > 0 ? "are empty" : "start far from the hit or end early"),
-          "none", empty > 0 ? notYet : "a mirrored ray begins at the hit and goes on for ever"});
+    const auto astray = [](const Intersection& hit, const Ray& mirrored) {
+        return !alike(startOf(mirrored), hit.position, 0.05f) || mirrored.maxT < 1e6f;
+    };
+    const auto hint = [](const Intersection& hit, const Ray& mirrored) {
+        return isStarters(mirrored) ? reflectionNotYet
+                                    : startHint(mirrored, hit, hit.normal, "mirrored");
+    };
+    expectNone("rays mirrored by a ball of radius 5", judge(false, astray, hint),
+               "start far from the hit or end early");
 }
 
 TEST_CASE("inside a hollow mirror all mirrored paths are equally long", "[lab4]") {
     // The chords of a sphere that meet it at one angle.
-    int empty = 0;
-    const int wrong = countWrong(true, [&](const Intersection& hit, const Ray& mirrored) {
-        empty += isEmpty(mirrored);
+    const auto wrong = [](const Intersection& hit, const Ray& mirrored) {
         Intersection next;
-        if (isEmpty(mirrored) || !ball.intersect(mirrored, next)) return true;
+        if (!ball.intersect(mirrored, next)) return true;
         const float before = (hit.position - hit.ray.orig).norm();
         return !(std::fabs((next.position - hit.position).norm() - before) < 0.01f);
-    });
-    if (wrong == 0) return;
-    fail({"rays mirrored by a ball from inside",
-          outOfAThousand(wrong, empty > 0 ? "are empty" : "take a path of another length"), "none",
-          empty > 0 ? notYet
-                    : "the normal in the hit record is on the side that the ray came from, inside "
-                      "as well as outside: there is nothing left to turn round"});
+    };
+    expectNone("rays mirrored by a ball from inside", judge(true, wrong, rayHint),
+               "take a path of another length");
 }

@@ -1,5 +1,5 @@
+#include "lab/ballPicture.h"
 #include "lab/bend.h"
-#include "lab/photo.h"
 
 using namespace lab;
 using namespace sw;
@@ -35,16 +35,34 @@ std::vector<Passage> passages() {
     return all;
 }
 
-// How many of them go wrong, as told by `wrong`.
-template <typename Wrong>
-int countWrong(Wrong wrong) {
-    int sum = 0;
-    for (const Passage& p : passages()) sum += wrong(p);
-    return sum;
+// Those of them that go wrong, as told by `wrong`.
+template <typename Wrong, typename Hint>
+Verdict judge(Wrong wrong, Hint hint) {
+    Verdict verdict;
+    for (const Passage& p : passages())
+        if (wrong(p)) verdict.add(hint(p));
+    return verdict;
 }
 
-std::string outOfAThousand(int count, const std::string& what) {
-    return std::to_string(count) + " of 1000 " + what;
+// Why a refracted ray goes wrong: its direction, else its start.
+std::string rayHint(const Intersection& hit, const Ray& got) {
+    const Crossing x{unit(hit.ray.dir), hit.normal, 1.5f, hit.frontFacing};
+    if (!agree(heading(got.dir), x.refracted())) return bendHint(got, x);
+    return startHint(got, hit, -hit.normal, "refracted");
+}
+
+std::string entryHint(const Passage& p) {
+    return rayHint(p.entry, p.inside);
+}
+
+// Of the way in if there is something wrong with it, else of the way out.
+std::string passageHint(const Passage& p) {
+    const std::string hint = entryHint(p);
+    return hint.empty() && p.meetsExit ? rayHint(p.exit, p.out) : hint;
+}
+
+std::string outOfAThousand(const Verdict& verdict, const std::string& what) {
+    return std::to_string(verdict.wrong()) + " of 1000 " + what;
 }
 
 // How far from the ball's centre a ray passes, or would pass.
@@ -52,61 +70,72 @@ float distanceFromCentre(const Ray& ray) {
     return ((ball.center - ray.orig) % unit(ray.dir)).norm();
 }
 
-bool nothingDone() {
-    return isEmpty(passages().front().inside);
-}
-
 }  // namespace
 
 TEST_CASE("a refracted ray goes through the inside of a ball to its other side", "[lab5]") {
-    const int wrong = countWrong([](const Passage& p) {
+    const auto wrong = [](const Passage& p) {
         // Refracted light turns towards the centre, so its way through the ball is long.
         return !p.meetsExit || p.exit.frontFacing ||
                (p.exit.position - p.entry.position).norm() < 1;
-    });
-    if (wrong == 0) return;
+    };
+    const Verdict verdict = judge(wrong, entryHint);
+    if (verdict.wrong() == 0) return;
     fail({"rays that are refracted into a ball of glass",
-          outOfAThousand(wrong, "never reach the inside of its other side"), "none",
-          nothingDone() ? refractionNotYet
-                        : "a refracted ray goes on behind the surface, and has to start a little "
-                          "way behind it, or else it meets the same place again"});
+          outOfAThousand(verdict, "never reach the inside of its other side"), "none",
+          verdict.hint()});
+}
+
+TEST_CASE("a refracted ray starts where the surface was hit", "[lab5]") {
+    const auto wrong = [](const Passage& p) {
+        return isEmpty(p.inside) || !alike(startOf(p.inside), p.entry.position, 0.05f) ||
+               p.inside.maxT < 1e6f;
+    };
+    const auto hint = [](const Passage& p) {
+        return isStarters(p.inside) ? refractionNotYet
+                                    : startHint(p.inside, p.entry, -p.entry.normal, "refracted");
+    };
+    const Verdict verdict = judge(wrong, hint);
+    if (verdict.wrong() == 0) return;
+    fail({"rays that are refracted into a ball of glass of radius 5",
+          outOfAThousand(verdict, verdict.hint() == refractionNotYet
+                                      ? "are empty"
+                                      : "start far from the hit or end early"),
+          "none", verdict.hint()});
 }
 
 TEST_CASE("a ray that has left a ball of glass never hits it again", "[lab5]") {
-    const int wrong = countWrong([](const Passage& p) {
+    const auto wrong = [](const Passage& p) {
         Intersection again;
         return !p.meetsExit || isEmpty(p.out) || ball.intersect(p.out, again);
-    });
-    if (wrong == 0) return;
+    };
+    const Verdict verdict = judge(wrong, passageHint);
+    if (verdict.wrong() == 0) return;
     fail({"rays that leave a ball of glass",
-          outOfAThousand(wrong, "hit the ball again, or never come so far"), "none",
-          nothingDone() ? refractionNotYet
-                        : "on the way out, too, a refracted ray starts on the side that it goes "
-                          "to: away from the normal, which is on the side that it came from"});
+          outOfAThousand(verdict, "hit the ball again, or never come so far"), "none",
+          verdict.hint()});
 }
 
 TEST_CASE("a ray passes a ball's centre as far away after it as before", "[lab5]") {
     // What bends it on the way in and on the way out is the same angle.
     float before = 0, after = 0;
-    const int wrong = countWrong([&](const Passage& p) {
+    const auto wrong = [&](const Passage& p) {
         const float expected = distanceFromCentre(p.entry.ray);
         const float got = p.meetsExit && !isEmpty(p.out) ? distanceFromCentre(p.out) : -1;
         const bool isWrong = !(std::fabs(got - expected) < 0.01f);
         if (isWrong) before = expected, after = got;
         return isWrong;
-    });
-    if (wrong == 0) return;
+    };
+    const Verdict verdict = judge(wrong, passageHint);
+    if (verdict.wrong() == 0) return;
     fail({"rays through a ball of glass of radius 5; one passes its centre at a distance of " +
               text(before) + " before it is refracted",
           after < 0 ? "it never comes out" : "a distance of " + text(after) + " behind the ball",
-          "the same distance as before",
-          nothingDone() ? refractionNotYet
-                        : "a ball bends a ray by the same angle on both of its sides: compare the "
-                          "way in, where frontFacing is true, with the way out"});
+          "the same distance as before", verdict.hint()});
 }
 
 TEST_CASE("balls of glass before black balls: the picture", "[lab5]") {
-    World world;
+    constexpr int mostRays = 20000;
+    World world(mostRays);
     const auto add = [&](float x, float y, float z, float radius, const Material& material) {
         world.push(Sphere(Vec3(x, y, z), radius, material));
     };
@@ -122,10 +151,13 @@ TEST_CASE("balls of glass before black balls: the picture", "[lab5]") {
     add(-16, -17, -22, 4, opaque());
     add(-6, -7, -22, 2, opaque());
     add(20, 0, -10, 3, opaque());
-    const Image image = photo(Camera(Vec3(0, 0, 70), Vec3(0, 0, 0), Vec3(0, 1, 0), 40),
-                              [&](const Ray& ray) { return world.colorOf(ray, 6); });
+    const Image image = pictureOf(refraction, world);
+    const std::string fault = faultOfPicture(image), weights = weightHint(refraction);
+    const BendSuspect* direction = bendCulprit();
     expectPicture("lab5-glass", image, 3, 20,
                   {"four balls of glass before eight black ones under the sky",
-                   "dense balls show what is behind them upside down: if the other tests of this "
-                   "task pass, look at how the depth is handed on"});
+                   !fault.empty()         ? fault
+                   : !weights.empty()     ? weights
+                   : direction != nullptr ? direction->hint
+                                          : ""});
 }

@@ -59,7 +59,8 @@ class World {
 public:
     sw::Scene scene;
 
-    World() {
+    /// @param mostRays  with so many rays a recursion is taken to have no end
+    explicit World(int mostRays = 2000) : witness(std::make_shared<RayWitness>(mostRays)) {
         scene.setBackground(sky);
         scene.push(witness);
     }
@@ -86,15 +87,13 @@ public:
         if (!trace(ray, depth, color)) {
             fail({"a ray from " + text(ray.orig) + " in direction " + text(ray.dir) +
                       " with depth " + std::to_string(depth),
-                  "more rays than anyone could wait for", "a colour",
-                  "traceRay() calls itself without end; the tests that count rays tell why"});
+                  std::to_string(rays().size()) + " rays, and no end of them", "a colour", ""});
         }
         return color;
     }
 
 private:
-    static constexpr int mostRays = 2000;
-    std::shared_ptr<RayWitness> witness = std::make_shared<RayWitness>(mostRays);
+    std::shared_ptr<RayWitness> witness;
 };
 
 /// False where either is not a number.
@@ -113,7 +112,8 @@ inline sw::Vec3 unit(sw::Vec3 v) {
     return v.normalize();
 }
 
-/// What the starter's getReflectedRay() and getRefractedRay() return.
+/// A ray without a direction, as the starter's getReflectedRay() and getRefractedRay() return it,
+/// or without a point.
 inline bool isEmpty(const sw::Ray& ray) {
     return ray.dir.isZero() || !(ray.minT < ray.maxT);
 }
@@ -124,9 +124,9 @@ struct Guess {
     std::string hint;
 };
 
-/// The hint of the first guess that gives what came out.
+/// The hint of the first guess that gives what came out; none without `otherwise`.
 inline std::string hintFor(const sw::Vec3& got, const std::vector<Guess>& guesses,
-                           const std::string& otherwise) {
+                           const std::string& otherwise = "") {
     for (const Guess& guess : guesses) {
         if (alike(got, guess.wrong)) return guess.hint;
     }

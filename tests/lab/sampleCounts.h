@@ -149,8 +149,9 @@ inline std::string countHint() {
     if (stepIsZero())
         return "the loop never gets beyond the first cell: 1 / n in whole numbers is 0, unless n "
                "is 1";
-    if (found(counts()[0]) > 1 &&
-        allCounts([](const Count& c) { return found(c) == found(counts()[0]); }))
+    if (found(counts()[0]) > 1 && allCounts([](const Count& c) {
+            return !c.pixel.endless && found(c) == found(counts()[0]);
+        }))
         return "the number of samples is the same for every n";
     const std::string hint = numberHint();
     return hint.empty() ? stepsHint() : hint;

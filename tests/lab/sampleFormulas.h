@@ -30,32 +30,43 @@ bool allFew(Is is) {
     return std::all_of(fewSamples().begin(), fewSamples().end(), is);
 }
 
-/// Whether the formula gives this place for some cell and one of the pixel's random numbers.
-inline bool isPlace(const Formula& formula, float place, float corner, int n,
+/// Whether the formula gives this place for the cell with that index and one of the pixel's random
+/// numbers.
+inline bool isPlace(const Formula& formula, float place, Cell cell,
                     const std::vector<float>& numbers) {
-    for (int i = 0; i < n; ++i)
-        for (const float u : numbers) {
-            const Cell cell{corner, static_cast<float>(i), u, static_cast<float>(n)};
-            if (std::fabs(formula.place(cell) - place) < 2e-6f * (2 + std::fabs(place)))
-                return true;
+    return std::any_of(numbers.begin(), numbers.end(), [&](float u) {
+        cell.u = u;
+        return std::fabs(formula.place(cell) - place) < 2e-6f * (2 + std::fabs(place));
+    });
+}
+
+/// Whether the formula explains where the k-th pixel's samples lie along that axis: each by some
+/// cell, and each cell by some sample.
+inline bool explains(const Formula& formula, const Samples& samples, std::size_t k,
+                     float Sample::*axis) {
+    const Pixel& pixel = samples.pixels[k];
+    const float corner = static_cast<float>(axis == &Sample::x ? pixel.x : pixel.y);
+    std::vector<bool> explained(pixel.samples.size(), false);
+    for (int i = 0; i < samples.n; ++i) {
+        const Cell cell{corner, static_cast<float>(i), 0, static_cast<float>(samples.n)};
+        bool used = false;
+        for (std::size_t s = 0; s < explained.size(); ++s) {
+            if (!isPlace(formula, corner + pixel.samples[s].*axis, cell, samples.numbers[k]))
+                continue;
+            used = explained[s] = true;
         }
-    return false;
+        if (!used) return false;
+    }
+    return std::find(explained.begin(), explained.end(), false) == explained.end();
 }
 
 /// Whether the formula explains where all samples lie along that axis.
 inline bool fits(const Formula& formula, float Sample::*axis) {
-    const auto explains = [&](const Samples& samples) {
-        for (std::size_t k = 0; k < samples.pixels.size(); ++k) {
-            const Pixel& pixel = samples.pixels[k];
-            if (pixel.samples.empty()) return false;
-            const float corner = static_cast<float>(axis == &Sample::x ? pixel.x : pixel.y);
-            for (const Sample& s : pixel.samples)
-                if (!isPlace(formula, corner + s.*axis, corner, samples.n, samples.numbers[k]))
-                    return false;
-        }
+    return allFew([&](const Samples& samples) {
+        for (std::size_t k = 0; k < samples.pixels.size(); ++k)
+            if (!explains(formula, samples, k, axis)) return false;
         return true;
-    };
-    return allFew(explains);
+    });
 }
 
 inline bool isRight(float Sample::*axis) {
@@ -65,8 +76,12 @@ inline bool isRight(float Sample::*axis) {
 inline const std::vector<Formula>& withoutNumbers() {
     static const std::vector<Formula> formulas{
         {[](const Cell& c) { return c.corner; },
-         "all samples lie on the pixel's first edge: i / n in whole numbers is 0, and so is what "
-         "rounding down leaves of a place in the cell"},
+         "all samples lie on the pixel's first edge: i / n and 1 / n in whole numbers are 0, and "
+         "so "
+         "is what rounding down leaves of a place in the cell"},
+        {[](const Cell& c) { return c.corner + c.i; },
+         "samples lie beyond the pixel, as i counts cells and not pixels: a cell is only 1 / n "
+         "wide"},
         {[](const Cell& c) { return c.corner + 1; },
          "all samples lie on the pixel's last edge, as if their places were rounded up"},
         {[](const Cell& c) { return c.corner + 0.5f; },
@@ -138,8 +153,6 @@ inline const std::vector<Formula>& withWrongOrigin() {
 /// The first formula that explains all samples along an axis; nullptr where the right one does, and
 /// where none does.
 inline const Formula* formulaOf(float Sample::*axis) {
-    const Formula& firstCell = withWrongScale()[0];  // fits the right formula, too, with i = 0
-    if (fits(firstCell, axis)) return &firstCell;
     if (isRight(axis)) return nullptr;
     for (const auto formulas : {withoutNumbers, withWrongScale, withWrongOrigin})
         for (const Formula& formula : formulas())

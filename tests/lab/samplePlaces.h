@@ -104,12 +104,11 @@ inline bool axesAreSwapped() {
 /// Numbers that are not random, or too few.
 inline std::string randomHint() {
     if (allFew(isPattern) && !isWithoutNumbers())
-        return "the samples lie at the same places in every pixel, whatever its seed: uniform() "
-               "gives other numbers each time";
+        return "the samples lie at the same places in every pixel, whatever its seed, as if random "
+               "numbers began anew each time: those of uniform() go on";
     if (allFew(isSeedless) && !allFew(isPattern))
-        return "a pixel has its samples at the same places whatever its seed: uniform() gives "
-               "other "
-               "numbers for each";
+        return "a pixel has its samples at the same places whatever its seed: the renderer seeds "
+               "uniform() for each pixel";
     return "";
 }
 
@@ -166,6 +165,13 @@ inline std::string placeInPixelHint() {
 }
 
 inline std::string placeHint() {
+    const auto tellsNothing = [](const Pixel& pixel) {
+        return pixel.samples.empty() || pixel.endless;
+    };
+    if (!allFew([&](const Samples& samples) {
+            return std::none_of(samples.pixels.begin(), samples.pixels.end(), tellsNothing);
+        }))
+        return "";
     if (axesAreSwapped())
         return "the samples lie in pixel (y, x): the camera takes x, to the right, before y";
     const bool onePoint = allCounts([](const Count& c) { return found(c) == 1; });
