@@ -51,10 +51,4 @@ private:
     SampleSpace outer;  // the one before: a pixel may render a picture of its own
 };
 
-/// The picture's estimated RMSE in 8-bit code values (compare Metrics::rmse8bit). Each error
-/// counts from the mean downwards, where the code values are steeper. Some 20 % too small in the
-/// lab's picture: if all samples of a black pixel miss a light part, that costs many code values.
-/// @param errors  of its pixels, from RenderResult::errors; NaN anywhere makes the result NaN
-double estimatedRmse8bit(const Image& image, const Image& errors, float gamma = 2.2f);
-
 }  // namespace sw

@@ -37,9 +37,6 @@ inline float clampToDisplay(float linear) {
     return linear > 0 ? (linear < 1 ? linear : 1) : 0;
 }
 
-/// A channel as an 8-bit code value before rounding, 0..256: toByte() truncates it.
-double codeValue(float linear, float gamma = 2.2f);
-
 /// 8-bit value of one channel: 256 * clamp(linear^(1/gamma), 0, 0.999).
 /// Negative radiance and NaN become 0.
 std::uint8_t toByte(float linear, float gamma = 2.2f);

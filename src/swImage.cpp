@@ -18,10 +18,6 @@ Image::Image(int width, int height)
       rows(height),
       pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-double codeValue(float linear, float gamma) {
-    return 256 * static_cast<double>(std::pow(clampToDisplay(linear), 1 / gamma));
-}
-
 std::uint8_t toByte(float linear, float gamma) {
     if (!(linear > 0)) return 0;  // std::pow of a negative radiance would be NaN
     const float display = std::pow(linear, 1 / gamma);

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pixelFaults.h"
-#include "swErrorEstimate.h"
+#include "swMetrics.h"
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "nff/plainText.h"
+#include "rayTree/darkness.h"
 
 namespace rayTree {
 namespace {
@@ -45,6 +46,7 @@ public:
         else if (node.isTraced || node.query.isHit)
             line(below, hitText(node.query));
         if (node.isTraced && node.query.isHit) writeOtherLight(node, below);
+        for (const std::string& reason : darkReasons(node, scene.lights())) line(below, reason);
         for (const std::string& fault : node.faults) line(below, "!! " + fault);
         for (const std::string& name : names.hitNowhere(ray))
             line(below, "!! " + name + " claims a hit at t = NaN, which does not count");

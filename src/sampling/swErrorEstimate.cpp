@@ -82,19 +82,4 @@ Color PixelSamples::takeError(const Color& mean) {
     return error;
 }
 
-double estimatedRmse8bit(const Image& image, const Image& errors, float gamma) {
-    double squares = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            for (int i = 0; i < 3; ++i) {
-                const float mean = clampToDisplay(image.at(x, y)[i]), error = errors.at(x, y)[i];
-                if (std::isnan(error)) return error;
-                const double difference = codeValue(mean, gamma) - codeValue(mean - error, gamma);
-                squares += difference * difference;
-            }
-        }
-    }
-    return std::sqrt(squares / (3.0 * image.width() * image.height()));
-}
-
 }  // namespace sw

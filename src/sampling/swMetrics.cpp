@@ -30,6 +30,10 @@ void forEachPixel(const Image& image, const Action& action) {
 
 }  // namespace
 
+double codeValue(float linear, float gamma) {
+    return 256 * static_cast<double>(std::pow(clampToDisplay(linear), 1 / gamma));
+}
+
 Metrics compare(const Image& a, const Image& b, float gamma) {
     Metrics result;
     double squares = 0, codeSquares = 0;
@@ -58,6 +62,18 @@ Metrics compare(const Image& a, const Image& b, float gamma) {
     result.visible = visible / pixels;
     result.rmse8bit = std::sqrt(codeSquares / (3 * pixels));
     return result;
+}
+
+double estimatedRmse8bit(const Image& image, const Image& errors, float gamma) {
+    double squares = 0;
+    forEachPixel(image, [&](int x, int y) {
+        for (int i = 0; i < 3; ++i) {
+            const float mean = clampToDisplay(image.at(x, y)[i]), error = errors.at(x, y)[i];
+            const double difference = codeValue(mean, gamma) - codeValue(mean - error, gamma);
+            squares += std::isnan(error) ? NAN : difference * difference;
+        }
+    });
+    return std::sqrt(squares / (3.0 * image.width() * image.height()));
 }
 
 Image heatMap(const Image& errors) {

@@ -126,7 +126,8 @@ TEST_CASE("light without a shadow ray and colour from nowhere have lines of thei
     };
     const std::string text = told(ambient, ray, scene, 1);
     CAPTURE(text);
-    CHECK_FALSE(has(text, "light 1"));
+    CHECK_FALSE(has(text, "light 1 at (0, 0, -9) adds"));
+    CHECK(has(text, "   light 1 at (0, 0, -9) is behind the surface\n"));
     CHECK(has(text, "   light 2 at (1, 0, 9) adds (0.4"));
     CHECK(has(text, ") without a shadow ray\n"));
     CHECK(has(text, "   adds (0.25, 0.25, 0.25) without light or ray\n"));

@@ -5,6 +5,7 @@
 
 #include "support.h"
 #include "swCorners.h"
+#include "swMetrics.h"
 #include "swSampling.h"
 #include "tools/common/mainFunctions.h"
 

@@ -26,6 +26,7 @@ set(left_out
   include/swAdaptive.h include/swBvh*.h include/swCone.h include/swCorners.h include/swMetrics.h
   include/swPatch.h include/swSamplePattern.h
   src/app/extraOptions.cpp src/app/extras.cpp src/app/install.cmake src/app/statistics.*
+  src/rayTree/darkness.cpp
   src/swCone.cpp src/swPatch.cpp
   tests/lab/report/*Test.cpp tests/lab/report/labBuild.h)
 
