@@ -23,7 +23,7 @@ TEST_CASE("the program writes the scene to standard output or to a file") {
 TEST_CASE("the program refuses invalid arguments in one line") {
     const TemporaryFolder folder;
     const std::string arguments = GENERATE(
-        "", "rings", "balls --size 7", "balls --size -1", "tetra --size 0", "tetra --size 11",
+        "", "gears", "balls --size 7", "balls --size -1", "tetra --size 0", "tetra --size 11",
         "mount --size 0", "mount --size 11", "mount --size x", "balls tetra", "--size 3");
     CAPTURE(arguments);
     const Run run = runProgram(SW_GENERATOR, folder, arguments);

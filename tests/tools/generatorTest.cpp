@@ -1,63 +1,17 @@
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
-#include "support.h"
 #include "swNff.h"
+#include "tools/generatedShapes.h"
 #include "tools/generators/scenes.h"
 
 using namespace test;
 
 namespace {
-
-struct Ball {
-    dvec3 center;
-    double radius;
-};
-struct Corners {
-    dvec3 v[3];
-};
-
-// The shapes of a scene, read with nothing of the library.
-struct Shapes {
-    std::vector<Ball> balls;
-    std::vector<Corners> triangles;
-    int squares = 0;
-
-    explicit Shapes(const std::string& text) {
-        std::istringstream in(text);
-        const auto point = [&in] {
-            dvec3 p;
-            in >> p.x >> p.y >> p.z;
-            return p;
-        };
-        for (std::string word; in >> word;) {
-            int corners = 0;
-            if (word == "p" && in >> corners && corners == 3) {
-                const dvec3 a = point(), b = point();
-                triangles.push_back({{a, b, point()}});
-            } else if (word == "p") {
-                ++squares;
-            } else if (word == "s") {
-                balls.push_back({point(), 0});
-                in >> balls.back().radius;
-            }
-        }
-    }
-    std::size_t count() const {
-        return balls.size() + triangles.size() + static_cast<std::size_t>(squares);
-    }
-};
-
-// How far two balls are from touching; negative if they overlap.
-double gap(const Ball& a, const Ball& b) {
-    return glm::distance(a.center, b.center) - a.radius - b.radius;
-}
 
 int overlaps(const std::vector<Ball>& balls) {
     int count = 0;
@@ -101,24 +55,35 @@ std::size_t power(std::size_t base, int exponent) {
 
 }  // namespace
 
+namespace {
+
+// How many shapes a scene has.
+std::size_t sizeOf(const std::string& name, int size) {
+    const auto n = static_cast<std::size_t>(size);
+    if (name == "balls") return (power(9, size + 1) - 1) / 8 + 1;
+    if (name == "tetra") return power(4, size);
+    if (name == "mount") return 2 * power(4, size) + 4;
+    if (name == "rings") return 10 * n * (n + 1) * (2 * n + 1) + 1;
+    return 2 * (power(2, size + 1) - 1) + 1;  // tree
+}
+
+}  // namespace
+
 TEST_CASE("a generated scene is read, and has as many shapes as its size says") {
-    const auto flake = [](int size) { return (power(9, size + 1) - 1) / 8; };
     for (const auto& [name, shows, least, most, usual, generate] : scenes::generators) {
         for (int size = least; size <= usual; ++size) {
             CAPTURE(name, size);
             const std::string text = generate(size);
             const sw::NffScene file = sw::parseNff(text, name);
             CHECK((file.width == 512 && file.height == 512));
-            const std::size_t grown = name[0] == 'b'   ? flake(size)
-                                      : name[0] == 't' ? power(4, size)
-                                                       : 2 * power(4, size);
-            const std::size_t others = name[0] == 'b' ? 1 : name[0] == 't' ? 0 : 4;
-            CHECK(Shapes(text).count() == grown + others);
+            CHECK(Shapes(text).count() == sizeOf(name, size));
         }
     }
     CHECK(Shapes(scenes::balls(4)).count() == 7382);
     CHECK(Shapes(scenes::tetra(6)).count() == 4096);
     CHECK(Shapes(scenes::mount(6)).count() == 8196);
+    CHECK(Shapes(scenes::rings(7)).count() == 8401);
+    CHECK(Shapes(scenes::tree(11)).count() == 8191);
 }
 
 TEST_CASE("the same size gives the same text") {

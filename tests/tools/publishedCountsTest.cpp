@@ -49,6 +49,14 @@ TEST_CASE("tetra costs as many rays as published") {
     check(raysOf(scenes::tetra(6)), {49788, 0, 0, 46112});
 }
 
+TEST_CASE("rings cost as many rays as published") {
+    check(raysOf(scenes::rings(7)), {263169, 315236, 0, 1085002});
+}
+
+TEST_CASE("tree costs as many rays as published") {
+    check(raysOf(scenes::tree(11)), {169836, 0, 0, 1097419});
+}
+
 // The published counts contain shadow rays from glass that scatters none of their light, which we
 // leave out. Here it scatters a little.
 TEST_CASE("mount costs as many rays as published") {

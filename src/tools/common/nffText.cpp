@@ -14,8 +14,7 @@ NffText::NffText(const dvec3& from, const dvec3& at, const dvec3& up) : text("v\
 
 void NffText::statement(const char* word, Points points, Numbers numbers) {
     text += word;
-    for (const dvec3& p : points)
-        for (int i = 0; i < 3; ++i) append(p[i]);
+    for (const dvec3& p : points) append(p);
     for (const double number : numbers) append(number);
     text += '\n';
 }

@@ -23,6 +23,11 @@ public:
         statement("f", {color}, {kd, ks, 0, t, index});
     }
     void sphere(const dvec3& center, double radius) { statement("s", {center}, {radius}); }
+    void cone(const dvec3& base, double baseRadius, const dvec3& apex, double apexRadius) {
+        text += "c";
+        append(base), append(baseRadius), append(apex), append(apexRadius);
+        text += '\n';
+    }
     void triangle(const dvec3& a, const dvec3& b, const dvec3& c) {
         statement("p 3", {a, b, c}, {});
     }
@@ -37,6 +42,9 @@ private:
     using Numbers = std::initializer_list<double>;
     void statement(const char* word, Points points, Numbers numbers);
     void append(double number);
+    void append(const dvec3& point) {
+        for (int i = 0; i < 3; ++i) append(point[i]);
+    }
 
     std::string text;
 };

@@ -24,10 +24,19 @@ std::string balls(int size);
 /// A tetrahedron of tetrahedra of tetrahedra: 4^size equilateral triangles in the cube -1..1.
 std::string tetra(int size);
 
+/// Layers of 1, 4, 9, ... objects of six rings before a wall; each ring is five cylinders that meet
+/// in spheres: 10 size (size + 1) (2 size + 1) shapes.
+std::string rings(int size);
+
+/// A tree of forks: 2^(size + 1) - 1 branches, each a cone with a sphere at its end, on a lawn.
+std::string tree(int size);
+
 constexpr Generator generators[] = {
     {"balls", "sphereflake: reflection", 0, 6, 4, balls},
     {"tetra", "pyramid of tetrahedra: many hidden surfaces", 1, 10, 6, tetra},
     {"mount", "fractal mountain under glass spheres: refraction", 1, 10, 6, mount},
+    {"rings", "interlocked rings of cylinders: reflection, many shadows", 1, 40, 7, rings},
+    {"tree", "tree of cones: many lights and shadows", 0, 19, 11, tree},
 };
 
 }  // namespace scenes
