@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -18,13 +19,15 @@ public:
 std::string readFile(const std::filesystem::path& path);
 
 /// Writes a file whole or not at all: into a temporary file beside it, which is then renamed. A
-/// failure, a full disk or a killed process leaves the old content. If the path is not a regular
-/// file (but a terminal or a pipe), it is written to directly.
+/// failure, a full disk or a killed process leaves the old content. An existing file keeps its
+/// mode. Written to directly: devices, pipes, open streams (/dev/stdout), files with several hard
+/// links.
 /// @throws FileError
 void writeFile(const std::filesystem::path& path, std::string_view content);
 
-/// Checks that the folder exists and writeFile may write there. Call it before long work.
+/// Checks that writeFile may write there, as far as that is known. Call it before long work.
+/// @param leastSize  bytes that the file will have at least
 /// @throws FileError
-void requireWritable(const std::filesystem::path& path);
+void requireWritable(const std::filesystem::path& path, std::uintmax_t leastSize = 1);
 
 }  // namespace sw

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "swVec3.h"
@@ -40,6 +41,9 @@ inline float clampToDisplay(float linear) {
 /// 8-bit value of one channel: 256 * clamp(linear^(1/gamma), 0, 0.999).
 /// Negative radiance and NaN become 0.
 std::uint8_t toByte(float linear, float gamma = 2.2f);
+
+/// The bytes of an 8-bit RGB PNG.
+std::string encodePng(const Image& image, float gamma = 2.2f);
 
 /// Writes an 8-bit RGB PNG, whole or not at all (see writeFile).
 /// @throws FileError

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <new>
-#include <string>
 
 #include "swFile.h"
 
@@ -24,7 +23,7 @@ std::uint8_t toByte(float linear, float gamma) {
     return static_cast<std::uint8_t>(256 * (display < 0.999f ? display : 0.999f));
 }
 
-void writePng(const Image& image, const std::filesystem::path& path, float gamma) {
+std::string encodePng(const Image& image, float gamma) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(3 * static_cast<std::size_t>(image.width()) *
                   static_cast<std::size_t>(image.height()));
@@ -40,7 +39,11 @@ void writePng(const Image& image, const std::filesystem::path& path, float gamma
     const int written = stbi_write_png_to_func(append, &png, image.width(), image.height(), 3,
                                                bytes.data(), 3 * image.width());
     if (written == 0) throw std::bad_alloc();  // its only way to fail
-    writeFile(path, png);
+    return png;
+}
+
+void writePng(const Image& image, const std::filesystem::path& path, float gamma) {
+    writeFile(path, encodePng(image, gamma));
 }
 
 }  // namespace sw

@@ -31,7 +31,7 @@ bool startsWith(const std::string& text, const std::string& start) {
 
 // The place of a unit in the order above.
 int layerOf(const std::string& unit) {
-    if (values.count(unit) > 0) return 0;
+    if (values.count(unit) > 0 || startsWith(unit, "files/")) return 0;
     if (shapes.count(unit) > 0) return 1;
     if (scene.count(unit) > 0 || startsWith(unit, "accel/")) return 2;
     if (startsWith(unit, "nff/") || unit == "swNff") return 4;

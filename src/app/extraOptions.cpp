@@ -1,13 +1,28 @@
 #include "app/extraOptions.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "app/help.h"
 #include "app/usage.h"
+#include "app/validators.h"
 
 using sw::SamplePattern;
+
+namespace {
+
+CLI::Validator patternName() {
+    const auto check = [](const std::string& text) {
+        const auto& names = sw::patternNames;
+        if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+        return "expected jitter, grid, random or multijitter, found " +
+               (text.empty() ? "nothing" : text);
+    };
+    return {check, ""};
+}
+
+}  // namespace
 
 void addExtraOptions(CLI::App& app, ExtraOptions& options) {
     const auto setPattern = [&options](const std::string& name) {
@@ -16,35 +31,34 @@ void addExtraOptions(CLI::App& app, ExtraOptions& options) {
     };
     app.add_option_function<std::string>("--sampler", setPattern,
                                          "sample pattern: jitter, grid, random or multijitter")
-        ->check(CLI::IsMember(
-            std::vector<std::string>(sw::patternNames.begin(), sw::patternNames.end())))
+        ->transform(patternName())
         ->default_str("jitter");
-    const auto positive = CLI::Range(1e-9, 1e9);
-    app.add_option(
-           "--adaptive", options.tolerance,
-           "adaptive: sample each pixel until its estimated error is at most this, e.g. 0.01")
-        ->check(positive);
-    app.add_option("--target-rmse", options.targetRmse,
-                   "adaptive: stop when the picture's estimated error is at most this")
-        ->check(positive);
-    app.add_option("--time-limit", options.timeLimit, "adaptive: stop after this many seconds")
-        ->check(positive);
+    const auto addLimit = [&](const char* name, auto& value, const char* text) {
+        app.add_option(name, value, text)->transform(number(1e-9, 1e9));
+    };
+    addLimit("--adaptive", options.tolerance,
+             "sample each pixel until its estimated error is at most this, e.g. 0.01");
+    addLimit("--target-rmse", options.targetRmse,
+             "stop when the picture's estimated error is at most this");
+    addLimit("--time-limit", options.timeLimit, "stop after this many seconds");
     app.add_flag("--corners", options.corners,
                  "one ray per pixel corner, shared by four pixels, instead of samples");
-    app.add_option("--stats", options.stats, "JSON file for ray counts, times and error");
+    app.add_option("--stats", options.stats, "JSON file for ray counts, times and error")
+        ->transform(fileName());
     app.add_option("--error-image", options.errorImage,
                    "PNG of the estimated error: black 0.0001, blue 0.001, red 0.01, yellow 0.1, "
-                   "white 1");
+                   "white 1")
+        ->transform(fileName());
+    app.add_flag("--force", options.force, "replace files that are no pictures or statistics");
+    app.get_option("--output")->transform(fileName());
+    arrangeHelp(app);
 }
 
 void checkExtraOptions(const CLI::App& app, const ExtraOptions& options, int samples) {
+    refuseUnknown(app);
     if (options.corners) refuseBeside(app, "--corners", {"--samples", "--sampler"});
-    for (const char* way : {"--adaptive", "--target-rmse", "--time-limit"}) {
-        if (app.count(way) == 0) continue;
-        refuseBeside(app, way, {"--samples", "--sampler", "--corners"});
-        if (!options.isAdaptive())
-            throw UsageError(std::string(way) + ": expected a number, found NaN");
-    }
+    for (const char* way : {"--adaptive", "--target-rmse", "--time-limit"})
+        if (app.count(way) > 0) refuseBeside(app, way, {"--samples", "--sampler", "--corners"});
     const bool oneSample = options.corners || (samples == 1 && !options.isAdaptive());
     if (!options.errorImage.empty() && oneSample)
         throw UsageError("--error-image: expected --samples 2 or more, found one sample per pixel");

@@ -18,15 +18,17 @@ struct ExtraOptions {
     bool corners = false;         ///< trace rays at the pixels' corners; samples is 1
     std::filesystem::path stats;  ///< JSON file for statistics; empty: none
     std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none
+    bool force = false;                ///< replace files that are no pictures or statistics
 
     /// Whether the number of samples in each pixel depends on its error.
     bool isAdaptive() const { return tolerance > 0 || targetRmse > 0 || timeLimit > 0; }
 };
 
-/// Adds these options to the command line.
+/// Adds these options to the command line, and arranges the help.
+/// @param app      holds all other options
 /// @param options  must outlive the app: it takes their values
 void addExtraOptions(CLI::App& app, ExtraOptions& options);
 
 /// @param samples  per side of the lab's grid
-/// @throws UsageError for options that exclude each other
+/// @throws UsageError for options that exclude each other or do not exist
 void checkExtraOptions(const CLI::App& app, const ExtraOptions& options, int samples);

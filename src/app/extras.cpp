@@ -1,9 +1,9 @@
 #include "app/extras.h"
 
+#include "app/outputs.h"
 #include "app/statistics.h"
 #include "swAdaptive.h"
 #include "swCorners.h"
-#include "swFile.h"
 #include "swMetrics.h"
 #include "swSamplePattern.h"
 
@@ -36,6 +36,7 @@ std::optional<sw::RenderResult> renderOtherwise(
 void writeExtras(const Options& options, const sw::RenderResult& result, const StepTimes& times,
                  const sw::Scene& scene) {
     const ExtraOptions& extra = options.extra;
-    if (!extra.errorImage.empty()) sw::writePng(sw::heatMap(result.errors), extra.errorImage);
-    if (!extra.stats.empty()) sw::writeFile(extra.stats, statsJson(options, result, times, scene));
+    if (!extra.errorImage.empty())
+        save(extra.errorImage, sw::encodePng(sw::heatMap(result.errors)));
+    if (!extra.stats.empty()) save(extra.stats, statsJson(options, result, times, scene));
 }

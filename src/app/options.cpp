@@ -1,13 +1,13 @@
 #include "app/options.h"
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <iostream>
 #include <span>
+#include <sstream>
 
+#include "app/console.h"
 #include "app/scenePath.h"
+#include "app/validators.h"
 
 namespace {
 
@@ -54,13 +54,6 @@ Pixel readPixel(const std::string& text) {
     return {p[0], p[1]};
 }
 
-// CLI11 reads "-1" as the largest unsigned number.
-const CLI::Validator notNegative(
-    [](const std::string& text) {
-        return text.find('-') == std::string::npos ? "" : "expected 0 or more, found " + text;
-    },
-    "");
-
 // Refuses options of different ways to sample a picture, and options of pictures beside --pixel.
 void requireOneWay(const CLI::App& app, const Options& options) {
     if (options.pixel)
@@ -80,41 +73,37 @@ Options parseOptions(int argc, const char* const* argv) {
     CLI::App app("Renders a scene by Whitted ray tracing.", "swtracer");
     app.set_version_flag("--version", SW_VERSION);
     app.add_option("scene", options.scene, "scene file in NFF; default: the lab's scene");
-    app.add_option("-o,--output", options.output, "picture to write, a PNG")->capture_default_str();
+    app.add_option("-o,--output", options.output, "picture to write")->capture_default_str();
     app.add_option("--size", size, "WIDTHxHEIGHT in pixels; default: the scene's resolution");
-    app.add_option("--samples", options.samples, "N: NxN samples per pixel; 1: the pixel's centre")
-        ->check(CLI::Range(1, 256))
-        ->capture_default_str();
-    addExtraOptions(app, options.extra);
-    app.add_option("--depth", options.depth,
-                   "maximum number of successive reflections and refractions")
-        ->check(CLI::Range(0, 1000))
-        ->capture_default_str();
-    app.add_option("--threads", options.threads, "number of threads; 0: one per hardware thread")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-    app.add_option("--seed", options.seed, "seed of the random numbers")
-        ->check(notNegative)
-        ->capture_default_str();
+    addNumber(app, "--samples", options.samples, 1, 256,
+              "N: NxN samples per pixel; 1: the pixel's centre");
+    addNumber(app, "--depth", options.depth, 0, 1000,
+              "maximum number of successive reflections and refractions");
+    addNumber(app, "--threads", options.threads, 0, 1024,
+              "number of threads; 0: one per hardware thread");
+    addNumber<std::uint64_t>(app, "--seed", options.seed, 0, UINT64_MAX, "of the random numbers");
     app.add_option("--crop", crop, "x0,y0,x1,y1: render only this window of the picture");
     app.add_option("--pixel", pixel,
                    "x,y: print the tree of rays behind this pixel's centre instead of rendering");
-    app.add_option("--gamma", options.gamma, "gamma of the PNG")
-        ->check(CLI::Range(0.1, 10.0))
-        ->capture_default_str();
-    app.add_flag("--quiet", options.quiet, "print only errors");
+    addNumber(app, "--gamma", options.gamma, 0.1f, 10.0f, "gamma of the PNG");
+    app.add_flag("--quiet", options.quiet, "print only errors: no warnings either");
+    addExtraOptions(app, options.extra);
 
     try {
         app.parse(argc, argv);
         if (app.count("--size") > 0) readSize(size, options);
         if (app.count("--crop") > 0) options.crop = readCrop(crop);
         if (app.count("--pixel") > 0) options.pixel = readPixel(pixel);
+        if (app.count("scene") > 0 && options.scene.empty())
+            throw UsageError("scene: expected the name of a file, found '' (a variable not set?)");
         requireOneWay(app, options);
         if (options.extra.corners) options.samples = 1;
-        if (!(options.gamma > 0)) throw UsageError("--gamma: expected a number, found NaN");
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help, --version
-        throw UsageError(error.what());
+        if (error.get_exit_code() != 0) throw UsageError(inPlainWords(error));
+        std::ostringstream text;  // --help, --version
+        app.exit(error, text);
+        print(text.str());
+        std::exit(0);
     }
     if (options.scene.empty()) options.scene = findShippedScene("cornell.nff", argv[0]);
     return options;

@@ -30,7 +30,7 @@ struct Options {
 };
 
 /// Reads the command line. --help and --version print on stdout and end the program.
-/// @throws UsageError
+/// @throws UsageError, sw::FileError
 Options parseOptions(int argc, const char* const* argv);
 
 /// Takes the scene's picture size unless the command line gives one.

@@ -1,10 +1,11 @@
 #include "app/program.h"
 
 #include <exception>
-#include <iostream>
 #include <new>
 
+#include "app/console.h"
 #include "app/extras.h"
+#include "app/outputs.h"
 #include "app/pixelFaults.h"
 #include "app/pixelTree.h"
 #include "app/progressBar.h"
@@ -17,8 +18,7 @@ using namespace sw;
 const NffScene& Run::loadScene() {
     file = loadNff(options.scene, options.pixel ? &shapes : nullptr);
     settleSize(options, file->width, file->height);
-    for (const auto& path : {options.output, options.extra.stats, options.extra.errorImage})
-        if (!options.pixel && !path.empty()) requireWritable(path);
+    if (!options.pixel) requireOutputs(options);
     if (!options.quiet) printWarnings(file->warnings);
     seconds.load = watch.lap();
 
@@ -57,25 +57,22 @@ void Run::render(const rayTree::Trace& traceRay,
 }
 
 void Run::write() {
-    if (options.pixel) {
-        std::cout << pixelText << std::flush;
-        return;
-    }
-    writePng(result->image, options.output, options.gamma);
+    if (options.pixel) return print(pixelText);
+    savePicture(result->image, options);
     seconds.write = watch.lap();
     writeExtras(options, *result, seconds, file->scene);
     if (!options.quiet)
         printWarnings(describeFaults(result->image, options.crop->x0, options.crop->y0));
-    if (!options.quiet) std::cout << summary(options, *result, seconds) << std::endl;
+    if (!options.quiet) printSummary(summary(options, *result, seconds), options);
 }
 
 int runProgram(int argc, const char* const* argv, const std::function<void(Run&)>& steps) {
     const auto fail = [](int code, const std::exception& error) {
-        std::cerr << "swtracer: " << error.what() << std::endl;
+        printWarnings({error.what()});
         return code;
     };
     try {
-        Run run(parseOptions(argc, argv));
+        Run run(checkFiles(parseOptions(argc, argv)));
         steps(run);
         return 0;
     } catch (const UsageError& error) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <iostream>
+#include <system_error>
 
 #include "nff/plainText.h"
 
@@ -14,15 +14,12 @@ double StopWatch::lap() {
     return elapsed.count();
 }
 
-void printWarnings(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) std::cerr << "swtracer: " << warning << std::endl;
-}
-
 std::string summary(const Options& options, const sw::RenderResult& result,
                     const StepTimes& times) {
     const auto rays = static_cast<double>(result.rays.total());
     std::ostringstream line = sw::plainStream();
-    line << std::filesystem::absolute(options.output).lexically_normal().string() << "  "
+    std::error_code none;
+    line << std::filesystem::absolute(options.output, none).lexically_normal().string() << "  "
          << result.image.width() << "x" << result.image.height() << "  "
          << std::round(samplesPerPixel(result) * 100) / 100 << " spp  " << result.threads
          << (result.threads == 1 ? " thread  " : " threads  ") << std::setprecision(3)

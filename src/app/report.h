@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <string>
-#include <vector>
 
 #include "app/options.h"
 #include "swRenderer.h"
@@ -22,9 +21,6 @@ public:
 private:
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
-
-/// Prints each warning on a line of stderr.
-void printWarnings(const std::vector<std::string>& warnings);
 
 /// One line: picture, size, samples, threads, wall time, rays, estimated error.
 std::string summary(const Options& options, const sw::RenderResult& result, const StepTimes& times);

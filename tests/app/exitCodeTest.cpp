@@ -117,12 +117,14 @@ TEST_CASE("4 for an output folder that is missing or not a folder") {
     CHECK(contentOf(folder / "file") == "x");
 }
 
-TEST_CASE("an empty file name is an error of the command line or the output") {
-    const TemporaryFolder folder;
-    const Run run = swtracer(folder, tiny + "-o \"\"");
-    CAPTURE(run.err);
-    CHECK((run.code == 2 || run.code == 4));
-    CHECK(lines(run.err) == 1);
+TEST_CASE("2 for an empty value of any option and an empty scene") {
+    for (const std::string option :
+         {"-o", "--size", "--samples", "--sampler", "--adaptive", "--target-rmse", "--time-limit",
+          "--depth", "--threads", "--seed", "--crop", "--gamma", "--pixel", "--stats",
+          "--error-image"})
+        checkFailure(2, option + " \"\"",
+                     option == "-o" ? "--output: expected" : option + ": expected");
+    checkFailure(2, tiny + "\"\"", "scene: expected the name of a file");
 }
 
 TEST_CASE("the scene is checked before the output and both before any work") {
@@ -140,11 +142,20 @@ TEST_CASE("3 for a scene that fails while it is read") {
 
 TEST_CASE("4 for a full disk and the old picture stays") {
     const TemporaryFolder folder;
-    makeFile(folder / "a.png", "old");
+    const std::string old = "\x89PNG\r\n\x1a\nold";
+    makeFile(folder / "a.png", old);
     // No file may grow beyond a block or two; the picture of 200 x 200 pixels does.
     checkFailure(folder, 4, "--size 200x200 --samples 1 -o a.png", "a.png: cannot write",
-                 "trap '' XFSZ; ulimit -f 2; ");
-    CHECK(contentOf(folder / "a.png") == "old");
+                 "export TMPDIR=.; ulimit -f 2; ");
+    CHECK(contentOf(folder / "a.png") == old);
+}
+
+TEST_CASE("4 for a picture that is larger than any file may be before it is rendered") {
+    const TemporaryFolder folder;
+    const std::string work = "--size 2000x2000 --samples 256 ";
+    for (const std::string name : {"a.png", "a.pfm", "a.hdr"})
+        checkFailure(folder, 4, work + "-o " + name, name + ": cannot write", "ulimit -f 2; ");
+    CHECK(folder.count() == 0);
 }
 
 TEST_CASE("a picture too large for memory is refused in one line") {

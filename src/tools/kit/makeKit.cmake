@@ -25,7 +25,9 @@ set(contents
 set(left_out
   include/swAdaptive.h include/swBvh*.h include/swCone.h include/swCorners.h include/swMetrics.h
   include/swPatch.h include/swSamplePattern.h
-  src/app/extraOptions.cpp src/app/extras.cpp src/app/install.cmake src/app/statistics.*
+  src/app/console.cpp src/app/extraOptions.cpp src/app/extras.cpp src/app/help.*
+  src/app/install.cmake src/app/outputChecks.cpp src/app/outputs.cpp src/app/pictureFormat.*
+  src/app/statistics.* src/app/validators.cpp
   src/rayTree/darkness.cpp
   src/swCone.cpp src/swPatch.cpp
   tests/lab/report/*Test.cpp tests/lab/report/labBuild.h)

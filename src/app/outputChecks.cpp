@@ -1,0 +1,160 @@
+// checkFiles() of outputs.h.
+#include <cctype>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include "app/outputs.h"
+#include "app/pictureFormat.h"
+#include "files/failure.h"
+#include "files/target.h"
+#include "files/temporary.h"
+#include "swFile.h"
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+#endif
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Output {
+    const char* option;
+    fs::path name;
+    sw::Target target;
+
+    bool isFile() const { return !target.stream && !target.isSpecial(); }
+};
+
+std::vector<Output> outputsOf(const Options& options) {
+    std::vector<Output> outputs;
+    const auto add = [&](const char* option, const fs::path& name) {
+        if (!name.empty()) outputs.push_back({option, name, sw::targetOf(name)});
+    };
+    add("-o", options.output);
+    add("--stats", options.extra.stats);
+    add("--error-image", options.extra.errorImage);
+    return outputs;
+}
+
+// Whether two names lead to the same regular file that exists: by links, or in another case.
+bool isSameFile(const fs::path& a, const fs::path& b) {
+    std::error_code none;
+    return fs::is_regular_file(a, none) && fs::exists(b, none) && fs::equivalent(a, b, none);
+}
+
+std::string lowerCase(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+// Whether names in a file's folder are the same in upper and lower case. A file tells.
+bool ignoresCase(const fs::path& file) {
+    try {
+        const sw::Temporary probe(file, file);
+        fs::path otherCase = probe.path;
+        std::error_code none;
+        return fs::exists(otherCase.replace_extension(".TMP"), none);
+    } catch (const sw::FileError&) {
+        return false;  // and nothing will be written there
+    }
+}
+
+bool isSameOutput(const Output& a, const Output& b) {
+    const fs::path &one = a.target.file, &other = b.target.file;
+    if (a.target.stream && a.target.stream == b.target.stream) return true;
+    if (isSameFile(one, other)) return true;
+    if (!a.isFile() || !b.isFile()) return false;
+    return one == other ||
+           (lowerCase(one.string()) == lowerCase(other.string()) && ignoresCase(one));
+}
+
+void refuseSameFiles(const std::vector<Output>& outputs, const fs::path& scene) {
+    const auto refuse = [](const std::string& one, const Output& other) {
+        throw UsageError(one + " and " + other.option + " are the same file, " +
+                         other.name.string() + "; expected two different ones");
+    };
+    for (const Output& output : outputs)
+        if (isSameFile(scene, output.target.file)) refuse("scene", output);
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (isSameOutput(outputs[j], outputs[i])) refuse(outputs[j].option, outputs[i]);
+}
+
+// Pictures get the form that their names say, and no other.
+void requireEnding(const Output& output, bool pngOnly) {
+    std::error_code none;
+    if (!output.isFile() || fs::is_directory(output.target.file, none)) return;
+    const auto format = formatOf(output.name);
+    if (format && (!pngOnly || format == PictureFormat::png)) return;
+    throw UsageError(std::string(output.option) + ": expected a name that ends in " +
+                     (pngOnly ? ".png" : ".png, .pfm or .hdr") + ", found " + output.name.string() +
+                     " (" + fs::path(output.name).replace_extension(".png").string() + "?)");
+}
+
+// Other pictures hold linear values.
+void requireGammaOfPng(const Options& options) {
+    if (options.gamma != Options().gamma &&
+        formatOf(options.output).value_or(PictureFormat::png) != PictureFormat::png)
+        throw UsageError("--gamma: expected a PNG beside it, found " + options.output.string() +
+                         ", which holds linear values");
+}
+
+bool isJson(const std::string& start) {
+    const std::size_t first = start.find_first_not_of(" \t\r\n");
+    return first != std::string::npos && start[first] == '{';
+}
+
+// An empty file is nobody's work.
+void requireOwnKind(const Output& output) {
+    std::error_code none;
+    if (!output.isFile() || !fs::is_regular_file(output.target.file, none)) return;
+    errno = 0;
+    std::ifstream in(output.target.file, std::ios::binary);
+    if (!in) sw::failToWrite(output.name, sw::reasonOf(errno));
+    std::string start(64, '\0');
+    in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(in.gcount()));
+    const bool json = std::string(output.option) == "--stats";
+    if (start.empty() || (json ? isJson(start) : isPicture(start))) return;
+    throw UsageError(std::string(output.option) + ": " + output.name.string() +
+                     " exists and is no " + (json ? "JSON" : "picture") +
+                     "; expected a new name (or --force to replace it)");
+}
+
+// A closed standard stream stays closed, instead of becoming the next file that is opened: open()
+// takes the lowest number that is free. And a file that grows beyond the system's limit is an
+// error, not the end of the process.
+void prepareStreams() {
+#ifndef _WIN32
+    for (const int stream : {0, 1, 2}) {
+        if (fcntl(stream, F_GETFD) >= 0) continue;
+        const int unusable = stream == 0 ? O_WRONLY : O_RDONLY;
+        if (open("/dev/null", unusable) < 0) break;
+    }
+    signal(SIGXFSZ, SIG_IGN);
+#endif
+}
+
+}  // namespace
+
+Options checkFiles(Options options) {
+    prepareStreams();
+    if (options.scene == "-") options.scene = "/dev/stdin";
+    if (options.pixel) return options;
+    for (fs::path* name : {&options.output, &options.extra.stats, &options.extra.errorImage})
+        if (*name == "-") *name = "/dev/stdout";
+    const std::vector<Output> outputs = outputsOf(options);
+    refuseSameFiles(outputs, options.scene);
+    requireGammaOfPng(options);
+    for (const Output& output : outputs) {
+        const std::string option = output.option;
+        if (option != "--stats") requireEnding(output, option == "--error-image");
+        if (!options.extra.force) requireOwnKind(output);
+    }
+    return options;
+}
