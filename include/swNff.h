@@ -26,22 +26,24 @@ struct NffScene {
 /// Reads a scene in Eric Haines' Neutral File Format (Standard Procedural Databases, 1987):
 ///
 ///     v                        the view, anywhere in the file; angle is vertical, in degrees
-///     from x y z  at x y z  up x y z  angle a  hither h  resolution w h
+///     from x y z  at x y z  up x y z  angle a  [hither h]  [resolution w h]
 ///     b r g b                  background
 ///     l x y z [r g b]          point light; lights without a colour get 1/sqrt(number of lights)
 ///     f r g b Kd Ks Shine T i  material of the shapes below: reflectivity Ks, transparency T,
 ///                              refractive index i (ignored where T is 0); Shine is not used.
-///                              The diffuse part is Kd * (r, g, b), unless Ks + T is 1 or more
+///                              The diffuse part is Kd * (r, g, b); beside one, Ks and T that
+///                              add up to 1 or more are reduced to just below 1
 ///     s x y z radius           sphere
 ///     c x y z r  x y z r       cone or cylinder without caps: base, its radius, apex, its radius
 ///     p n  x y z  ...          planar polygon of n vertices, counter-clockwise from its front
 ///     pp n  x y z nx ny nz ... patch: the same, with a normal at each vertex for smooth shading
 ///     # ...                    comment until the end of the line
 ///
-/// Any white space separates; the locale does not matter. If a radius is negative, only the inside
-/// can be seen. Polygons have up to 10,000 vertices, need not be convex, and may repeat vertices.
-/// Shapes that are odd but can be rendered give a warning: polygons that cross themselves or are
-/// not planar, and cones without height.
+/// Any white space separates; the locale does not matter. A # begins no comment where it touches a
+/// number. The text may be UTF-8, UTF-16 or UTF-32, with any line ends. If a radius is negative,
+/// only the inside can be seen. Polygons can be seen from both sides (the format says: from the
+/// front alone), have up to 10,000 vertices, need not be convex, and may repeat vertices. What is
+/// odd but can be rendered gives a warning, and so does a picture that can only be black.
 /// @param name    the text's name in error messages
 /// @param shapes  if not null, all shapes are appended to it, in the file's order. The scene itself
 ///                does not record where its shapes come from

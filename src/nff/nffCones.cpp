@@ -21,7 +21,7 @@ void readCone(NffShapes& shapes, const Material& material) {
     NffTokens& tokens = shapes.tokens;
     const char* const statement = tokens.last().begin();
     float v[8];
-    tokens.numbers("c", v, 8, "base and apex, each a point and a radius");
+    tokens.numbers({"c", 8, "base and apex, each a point and a radius"}, v, 8);
     const Vec3 base(v[0], v[1], v[2]), apex(v[4], v[5], v[6]);
     const float baseRadius = v[3], apexRadius = v[7];
     if (haveOppositeSigns(baseRadius, apexRadius))

@@ -1,6 +1,5 @@
 #include "nff/nffShapes.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace sw {
@@ -11,7 +10,7 @@ constexpr float mostVertices = 10000;
 // Memory grows with the numbers read, not with the count that the file claims.
 void NffShapes::readVertices(const char* keyword, bool withNormals, const char* hint) {
     float count;
-    tokens.numbers(keyword, &count, 1);
+    tokens.numbers({keyword, 1}, &count, 1);
     if (!(count >= 3 && count <= mostVertices && count == std::floor(count)))
         tokens.failAtLast("expected a number of vertices from 3 to 10000 (split larger polygons)");
     const int size = static_cast<int>(count) * (withNormals ? 6 : 3);
@@ -19,18 +18,19 @@ void NffShapes::readVertices(const char* keyword, bool withNormals, const char* 
     normals.clear();
     Vec3 v;
     for (int i = 0; i < size; i += 3) {
-        tokens.numbers({keyword, size, hint}, i, v.m, 3);
+        tokens.numbers({keyword, size, hint}, v.m, 3, i);
         (withNormals && i % 2 == 1 ? normals : vertices).push_back(v);
     }
 }
 
-void NffShapes::warn(const char* statement, const char* what, const char* kind) {
-    const auto known = std::find_if(oddities.begin(), oddities.end(),
-                                    [kind](const Oddity& o) { return o.kind == kind; });
-    if (known != oddities.end())
-        ++known->count;
-    else
-        oddities.push_back({kind, statement, what, 1});
+void NffShapes::warn(const char* statement, const std::string& what, const char* kind) {
+    if (!warnAgain(kind)) oddities.push_back({kind, statement, what, 1});
+}
+
+bool NffShapes::warnAgain(const char* kind) {
+    for (Oddity& oddity : oddities)
+        if (oddity.kind == kind) return ++oddity.count > 0;
+    return false;
 }
 
 std::vector<std::string> NffShapes::warnings() const {
@@ -42,7 +42,7 @@ std::vector<std::string> NffShapes::warnings() const {
 }
 
 int NffShapes::lineOf(const char* statement) {
-    line += static_cast<int>(std::count(counted, statement, '\n'));
+    line += countLineEnds(counted, statement);
     counted = statement;
     return line;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ public:
     void push(const Shape& shape, const char* statement, const char* kind,
               NffShape::Describe describe) {
         scene.push(shape);
+        if (bounds) bounds->add(shape.bounds());
         if (list)
             list->push_back({std::make_shared<Shape>(shape), lineOf(statement), kind, describe});
     }
@@ -37,13 +39,17 @@ public:
     /// Records a shape that is odd but can be rendered.
     /// @param what  is wrong with this shape
     /// @param kind  of oddity: how it is handled, and what is counted
-    void warn(const char* statement, const char* what, const char* kind);
+    void warn(const char* statement, const std::string& what, const char* kind);
+
+    /// Counts one more, if that kind was recorded before: saves describing it.
+    bool warnAgain(const char* kind);
 
     /// Warnings about the shapes read so far: at most one line for each kind of oddity.
     std::vector<std::string> warnings() const;
 
     NffTokens& tokens;
     std::vector<Vec3> vertices, normals;  ///< of the last polygon
+    std::optional<Bounds> bounds;         ///< of all shapes, if set before the first
 
 private:
     struct Oddity {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "swNffError.h"
 
@@ -15,65 +14,46 @@ bool isSpace(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-bool isKeyword(std::string_view word) {
-    constexpr std::string_view keywords[] = {"v",  "b",     "l", "f",      "s",
-                                             "p",  "pp",    "c", "from",   "at",
-                                             "up", "angle", "t", "hither", "resolution"};
-    return std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
-}
-
-// Text from the file, short and printable enough for one line of an error message.
-std::string printable(std::string_view text) {
-    constexpr std::size_t longest = 24;
-    std::string result;
-    for (const char c : text.substr(0, longest)) result += c >= ' ' && c <= '~' ? c : '?';
-    return text.size() > longest ? result + "..." : result;
-}
-
-// Some editors begin a file with an invisible byte order mark.
-std::string_view withoutMark(std::string_view text) {
-    constexpr std::string_view mark = "\xef\xbb\xbf";
-    return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
+bool endsToken(char c) {
+    return c <= '#' && (c == '#' || isSpace(c));  // what numbers are made of comes after '#'
 }
 
 }  // namespace
 
-std::string describe(const NffToken& token) {
-    if (token.text.empty()) return "the end of the file";
-    return std::string("'").append(printable(token.text)).append("'");
+int countLineEnds(const char* begin, const char* end) {
+    int count = 0;
+    for (const char* at = begin; at != end; ++at)
+        count += *at == '\r' || (*at == '\n' && (at == begin || at[-1] != '\r'));
+    return count;
 }
 
 NffTokens::NffTokens(std::string_view content, const std::string& fileName)
-    : text(withoutMark(content)),
-      name(fileName),
-      position(text.data()),
-      previous{text.substr(0, 0)} {
+    : text(content), name(fileName), position(text.data()), previous{text.substr(0, 0)} {
     advance();
 }
 
 void NffTokens::advance() {
     const char* const end = text.data() + text.size();
-    while (position != end && (isSpace(*position) || *position == '#')) {
+    while (position != end && endsToken(*position)) {
         if (*position == '#')
-            position = std::find(position, end, '\n');
+            position = std::find_if(position, end, isLineEnd);
         else
             ++position;
     }
     const char* const start = position;
-    while (position != end && !isSpace(*position) && *position != '#') ++position;
-    next.text = {start, static_cast<std::size_t>(position - start)};
+    const auto token = [&] {
+        return std::string_view(start, static_cast<std::size_t>(position - start));
+    };
+    // Behind a number, # begins no comment: -1.#IND is not -1.
+    while (position != end && (!endsToken(*position) || (*position == '#' && isNumeric(token()))))
+        ++position;
+    next.text = token();
 }
 
 NffToken NffTokens::take() {
     previous = next;
     advance();
     return previous;
-}
-
-bool NffTokens::atNumber() const {
-    if (atEnd()) return false;
-    const char c = next.text[0];
-    return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
 }
 
 bool NffTokens::parse(float& value) const {
@@ -83,39 +63,24 @@ bool NffTokens::parse(float& value) const {
     return fast_float::from_chars(digits.data(), end, value).ptr == end && !digits.empty();
 }
 
-void NffTokens::numbers(const Group& group, int taken, float* values, int count) {
+void NffTokens::numbers(const Group& group, float* values, int count, int taken) {
     for (int i = 0; i < count; ++i) {
         if (!parse(values[i])) failAtNumber(group, taken + i);
-        if (!std::isfinite(values[i]))
-            fail(next.begin(), "expected a finite number, found " + describe(next));
+        if (!std::isfinite(values[i])) failAtNext("expected a finite number");
         take();
     }
-}
-
-void NffTokens::failAtNumber(const Group& group, int found) const {
-    if (!atEnd() && !isKeyword(next.text))
-        fail(next.begin(), "expected a number, found " + describe(next));
-    std::string message = "expected " + std::to_string(group.size) +
-                          (group.size == 1 ? " number" : " numbers") + " after '" +
-                          std::string(group.keyword) + "', found " + std::to_string(found);
-    if (atEnd()) message += " and the end of the file";
-    if (*group.hint != '\0') message += " (" + std::string(group.hint) + ")";
-    fail(last().end(), message);
+    if (taken + count == group.size) lastGroup = group;
 }
 
 void NffTokens::fail(const char* at, const std::string& message) const {
     throw NffError(place(at) + message);
 }
 
-void NffTokens::failAtLast(const std::string& message) const {
-    fail(last().begin(), message + ", found " + describe(last()));
-}
-
 std::string NffTokens::place(const char* at) const {
     const char* const start = text.data();
-    const auto line = 1 + std::count(start, at, '\n');
+    const int line = 1 + countLineEnds(start, at);
     const char* lineStart = at;
-    while (lineStart != start && lineStart[-1] != '\n') --lineStart;
+    while (lineStart != start && !isLineEnd(lineStart[-1])) --lineStart;
     return name + ":" + std::to_string(line) + ":" + std::to_string(at - lineStart + 1) + ": ";
 }
 

@@ -15,31 +15,29 @@ bool areParallel(const Vec3& u, const Vec3& v) {
 }
 
 void expect(NffTokens& tokens, const char* keyword) {
-    const NffToken& found = tokens.peek();
-    if (found.text != keyword)
-        tokens.fail(
-            tokens.atEnd() ? tokens.last().end() : found.begin(),
-            std::string("expected '") + keyword + "' in the view, found " + describe(found));
+    tokens.expectNoNumber();
+    if (tokens.peek().text != keyword)
+        tokens.failAtNext(std::string("expected '") + keyword + "' in the view");
     tokens.take();
 }
 
 Vec3 vectorAfter(NffTokens& tokens, const char* keyword) {
     expect(tokens, keyword);
     Vec3 v;
-    tokens.numbers(keyword, v.m, 3);
+    tokens.numbers({keyword, 3}, v.m, 3);
     return v;
 }
 
 float numberAfter(NffTokens& tokens, const char* keyword) {
     expect(tokens, keyword);
     float value;
-    tokens.numbers(keyword, &value, 1);
+    tokens.numbers({keyword, 1}, &value, 1);
     return value;
 }
 
 int readSide(NffTokens& tokens, int before) {
     float side;
-    tokens.numbers({"resolution", 2, ""}, before, &side, 1);
+    tokens.numbers({"resolution", 2}, &side, 1, before);
     if (!(side >= 1 && side <= largestSide && side == std::floor(side)))
         tokens.failAtLast("expected a width and a height from 1 to 16384");
     return static_cast<int>(side);
@@ -50,6 +48,7 @@ int readSide(NffTokens& tokens, int before) {
 NffView readView(NffTokens& tokens) {
     const char* const statement = tokens.last().begin();
     NffView v;
+    v.statement = statement;
     v.from = vectorAfter(tokens, "from");
     v.at = vectorAfter(tokens, "at");
     if ((v.at - v.from).isZero())
@@ -61,8 +60,10 @@ NffView readView(NffTokens& tokens) {
     v.angle = numberAfter(tokens, "angle");
     if (!(v.angle > 0 && v.angle < 180))
         tokens.failAtLast("expected an angle between 0 and 180 degrees");
-    numberAfter(tokens, "hither");  // a near clipping plane, which ray tracing does not need
-    expect(tokens, "resolution");
+    if (tokens.peek().text == "hither")  // a near clipping plane: ray tracing needs none
+        numberAfter(tokens, "hither");
+    if (tokens.peek().text != "resolution") return v;
+    tokens.take();
     v.width = readSide(tokens, 0);
     v.height = readSide(tokens, 1);
     return v;

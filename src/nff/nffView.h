@@ -9,10 +9,12 @@ namespace sw {
 struct NffView {
     Vec3 from, at, up;
     float angle = 0;  ///< vertical field of view in degrees
-    int width = 0, height = 0;
+    int width = 512, height = 512;
+    const char* statement = nullptr;  ///< where it begins in the text
 };
 
-/// Reads the view after its 'v', which must be the last token taken. The format fixes the order.
+/// Reads the view after its 'v', which must be the last token taken. The format fixes the order;
+/// `hither` and `resolution` may be missing.
 NffView readView(NffTokens& tokens);
 
 }  // namespace sw

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <optional>
 
-#include "nff/nffShapes.h"
-#include "nff/nffTokens.h"
+#include "nff/nffChecks.h"
+#include "nff/nffMaterial.h"
+#include "nff/nffSkipped.h"
+#include "nff/nffText.h"
 #include "nff/nffView.h"
 #include "swFile.h"
 
@@ -27,7 +29,7 @@ std::string shapeKeywords() {
 class NffParser {
 public:
     NffParser(std::string_view text, const std::string& name, std::vector<NffShape>* list)
-        : tokens(text, name), shapes(tokens, scene, list) {}
+        : tokens(text, name), shapes(tokens, scene, list), checks(shapes) {}
 
     NffScene parse() {
         while (!tokens.atEnd()) readStatement();
@@ -36,31 +38,46 @@ public:
         pushLights();
         Camera camera(view->from, view->at, view->up, view->angle);
         camera.setup(view->width, view->height);
-        return {scene, camera, view->width, view->height, shapes.warnings()};
+        std::vector<std::string> warnings = shapes.warnings();
+        for (const std::string& line : checks.warnings()) warnings.push_back(line);
+        return {scene, camera, view->width, view->height, warnings};
     }
 
 private:
     void readStatement() {
+        tokens.expectNoNumber();
         const NffToken word = tokens.take();
         if (word.text == "v") return readOnlyView(word);
-        if (word.text == "b") return scene.setBackground(vector("b"));
-        if (word.text == "l") return readLight();
-        if (word.text == "f") return readMaterial(word);
+        if (word.text == "b") return readBackground(word);
+        if (word.text == "l") return readLight(word);
+        if (word.text == "f") return setMaterial(word);
         for (const ShapeStatement& shape : shapeStatements())
             if (word.text == shape.keyword) return shape.read(shapes, materialFor(word));
-        tokens.fail(word.begin(), "expected a statement (v, b, l, f" + shapeKeywords() +
-                                      "), found " + describe(word));
+        if (!skipOldStatement(shapes))
+            tokens.failAtLast("expected a statement (v, b, l, f" + shapeKeywords() + ")");
     }
 
     void readOnlyView(const NffToken& word) {
         if (view) tokens.fail(word.begin(), "expected one view, found a second 'v'");
         view = readView(tokens);
+        checks.view(*view);
     }
 
-    void readLight() {
-        FileLight light{vector("l"), std::nullopt};
-        if (tokens.atNumber()) light.color = vector("l x y z");
+    void readBackground(const NffToken& word) {
+        scene.setBackground(vector({"b", 3, "r g b"}));
+        checks.background(word.begin(), scene.background());
+    }
+
+    void readLight(const NffToken& word) {
+        FileLight light{vector({"l", 3, "x y z"}), std::nullopt};
+        if (tokens.atNumber()) light.color = vector({"l", 6, "x y z r g b, or x y z alone"}, 3);
         lights.push_back(light);
+        checks.light(word.begin(), light.color.value_or(Color(1, 1, 1)));
+    }
+
+    void setMaterial(const NffToken& word) {
+        material = readMaterial(shapes);
+        checks.material(word.begin(), *material);
     }
 
     void pushLights() {
@@ -69,35 +86,24 @@ private:
             scene.push(Light(light.position, light.color.value_or(Color(share, share, share))));
     }
 
-    void readMaterial(const NffToken& word) {
-        float v[8];
-        tokens.numbers("f", v, 8, "is the index of refraction missing?");
-        const float kd = v[3], ks = v[4], transparency = v[6], index = v[7];
-        if (kd < 0 || ks < 0 || transparency < 0)
-            tokens.fail(word.begin(), "expected Kd, Ks and T of 0 or more, found a negative one");
-        if (transparency > 0 && !(index > 0))
-            tokens.failAtLast("expected a positive index of refraction, as T is positive");
-        const float diffuse = 1 - ks - transparency;
-        const Color color = Color(v[0], v[1], v[2]) * (diffuse > 0 ? kd / diffuse : kd);
-        material = Material(color, ks, transparency, transparency > 0 ? index : 1);
-    }
-
-    const Material& materialFor(const NffToken& word) const {
+    const Material& materialFor(const NffToken& word) {
         if (!material)
             tokens.fail(word.begin(),
                         "expected a material ('f') before the first object, found none");
+        checks.shape();
         return *material;
     }
 
-    Vec3 vector(const char* keyword) {
+    Vec3 vector(const NffTokens::Group& group, int taken = 0) {
         Vec3 v;
-        tokens.numbers(keyword, v.m, 3);
+        tokens.numbers(group, v.m, 3, taken);
         return v;
     }
 
     NffTokens tokens;
     Scene scene;
     NffShapes shapes;
+    NffChecks checks;
     std::optional<NffView> view;
     std::optional<Material> material;
     std::vector<FileLight> lights;
@@ -106,7 +112,8 @@ private:
 }  // namespace
 
 NffScene parseNff(std::string_view text, const std::string& name, std::vector<NffShape>* shapes) {
-    return NffParser(text, name, shapes).parse();
+    std::string storage;
+    return NffParser(decodeText(text, storage), name, shapes).parse();
 }
 
 NffScene loadNff(const std::filesystem::path& path, std::vector<NffShape>* shapes) {

@@ -20,6 +20,13 @@ inline sw::NffScene parse(const std::string& statements) {
     return sw::parseNff(view + statements, "test.nff");
 }
 
+/// The material of what stands at the origin.
+inline sw::Material materialOf(const std::string& statements) {
+    sw::Intersection hit;
+    REQUIRE(parse(statements).scene.intersect(sw::Ray(Vec3(0, 0, 5), Vec3(0, 0, -1)), hit));
+    return hit.material;
+}
+
 /// Numbers as they are spelt in a file, each with a space behind it.
 inline std::string text(double number) {
     std::ostringstream out;
@@ -44,9 +51,9 @@ struct ErrorCase {
     std::string text, message;
 };
 
-/// The texts of error cases follow a good view and a material, which end with line 2.
+/// The texts of error cases follow a good view, a light and a material, which end with line 2.
 const std::string good =
-    "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45 hither 1 resolution 8 8\n"
+    "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45 hither 1 resolution 8 8 l 0 0 99\n"
     "f 1 1 1 1 0 0 0 1\n";
 
 /// Each text must be refused with its message, which begins with line and column.
@@ -55,6 +62,12 @@ inline void checkErrors(const std::vector<ErrorCase>& cases, const std::string& 
         CAPTURE(c.text);
         CHECK(nffErrorOf(before + c.text) == "a.nff:" + c.message);
     }
+}
+
+/// What the reader warns of after the same good beginning.
+inline std::vector<std::string> warningsOf(const std::string& statements,
+                                           const std::string& before = good) {
+    return sw::parseNff(before + statements, "a.nff").warnings;
 }
 
 }  // namespace test

@@ -11,49 +11,60 @@ const std::string statementExpected = "expected a statement (v, b, l, f, s, c, p
 }  // namespace
 
 TEST_CASE("missing numbers are reported where they are missing") {
+    const std::string light = " (x y z r g b, or x y z alone)";
+    const std::string material = " (r g b Kd Ks Shine T index)";
     checkErrors({
-        {"b 1 1\nl 0 0 0", "3:6: expected 3 numbers after 'b', found 2"},
-        {"l 0\nb 0 0 0", "3:4: expected 3 numbers after 'l', found 1"},
-        {"l 0 0 0 1\nb 0 0 0", "3:10: expected 3 numbers after 'l x y z', found 1"},
-        {"l 0 0 0 1 1 # dim\nb 0 0 0", "3:12: expected 3 numbers after 'l x y z', found 2"},
+        {"b 1 1\nl 0 0 0", "3:6: expected 3 numbers after 'b', found 2: 1 is missing (r g b)"},
+        {"l 0\nb 0 0 0", "3:4: expected 3 numbers after 'l', found 1: 2 are missing (x y z)"},
+        {"l 0 0 0 1\nb 0 0 0",
+         "3:10: expected 6 numbers after 'l', found 4: 2 are missing" + light},
+        {"l 0 0 0 1 1 # dim\nb 0 0 0",
+         "3:12: expected 6 numbers after 'l', found 5: 1 is missing" + light},
         {"s 0 0 0\ns 0 0 0 1",
-         "3:8: expected 4 numbers after 's', found 3 (is the radius missing?)"},
+         "3:8: expected 4 numbers after 's', found 3: 1 is missing (x y z radius)"},
         {"f 1 1 1 1 0 0 0\ns 0 0 0 1",
-         "3:16: expected 8 numbers after 'f', found 7 (is the index of refraction missing?)"},
-        {"\n\n  f\ns 0 0 0 1",
-         "5:4: expected 8 numbers after 'f', found 0 (is the index of refraction missing?)"},
+         "3:16: expected 8 numbers after 'f', found 7: 1 is missing" + material},
+        {"f 1 1 1 1 0\ns 0 0 0 1",
+         "3:12: expected 8 numbers after 'f', found 5: 3 are missing" + material},
+        {"\n\n  f\ns 0 0 0 1", "5:4: expected 8 numbers after 'f', found 0" + material},
         {"p\ns 0 0 0 1", "3:2: expected 1 number after 'p', found 0"},
         {"p 3\n0 0 0\n1 0 0\n1 1\ns 0 0 0 1",
-         "6:4: expected 9 numbers after 'p', found 8 (a polygon has three numbers per vertex)"},
+         "6:4: expected 9 numbers after 'p', found 8: 1 is missing (a polygon has three numbers "
+         "per vertex)"},
         {"c 0 0 0 1\n0 1 0\ns 0 0 0 1",
-         "4:6: expected 8 numbers after 'c', found 7 (base and apex, each a point and a radius)"},
+         "4:6: expected 8 numbers after 'c', found 7: 1 is missing (base and apex, each a point "
+         "and a radius)"},
         {"pp 3 0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0\ns 0 0 0 1",
-         "5:6: expected 18 numbers after 'pp', found 15 (a patch has six numbers per vertex)"},
+         "5:6: expected 18 numbers after 'pp', found 15: 3 are missing (a patch has six numbers "
+         "per vertex)"},
         {"p 4 0 0 0 1 0 0 1 1 0\npp 3",
-         "3:22: expected 12 numbers after 'p', found 9 (a polygon has three numbers per vertex)"},
+         "3:22: expected 12 numbers after 'p', found 9: 3 are missing (a polygon has three numbers "
+         "per vertex)"},
     });
 }
 
 TEST_CASE("a file that ends too early is reported at its end") {
     const std::string end = " and the end of the file";
     checkErrors({
-        {"b 1 1", "3:6: expected 3 numbers after 'b', found 2" + end},
-        {"b 1 1 \n\n # comment", "3:6: expected 3 numbers after 'b', found 2" + end},
-        {"l", "3:2: expected 3 numbers after 'l', found 0" + end},
-        {"l 0 0 0 1 1", "3:12: expected 3 numbers after 'l x y z', found 2" + end},
+        {"b 1 1", "3:6: expected 3 numbers after 'b', found 2" + end + ": 1 is missing (r g b)"},
+        {"b 1 1 \n\n # comment",
+         "3:6: expected 3 numbers after 'b', found 2" + end + ": 1 is missing (r g b)"},
+        {"l", "3:2: expected 3 numbers after 'l', found 0" + end + " (x y z)"},
+        {"l 0 0 0 1 1", "3:12: expected 6 numbers after 'l', found 5" + end +
+                            ": 1 is missing (x y z r g b, or x y z alone)"},
         {"s 0 0 0",
-         "3:8: expected 4 numbers after 's', found 3" + end + " (is the radius missing?)"},
+         "3:8: expected 4 numbers after 's', found 3" + end + ": 1 is missing (x y z radius)"},
         {"p", "3:2: expected 1 number after 'p', found 0" + end},
         {"p 10000 0 0 0", "3:14: expected 30000 numbers after 'p', found 3" + end +
-                              " (a polygon has three numbers per vertex)"},
+                              ": 29997 are missing (a polygon has three numbers per vertex)"},
         {"p 3 0 0 0", "3:10: expected 9 numbers after 'p', found 3" + end +
-                          " (a polygon has three numbers per vertex)"},
+                          ": 6 are missing (a polygon has three numbers per vertex)"},
     });
     checkErrors(
         {{"v", "1:2: expected 'from' in the view, found the end of the file"},
          {"v from 0 0 5 at 0 0 0 up 0 1 0 angle 45 hither 1 resolution 8",
-          "1:62: expected 2 numbers after 'resolution', found 1" + end},
-         {"v from 1 2", "1:11: expected 3 numbers after 'from', found 2" + end},
+          "1:62: expected 2 numbers after 'resolution', found 1" + end + ": 1 is missing"},
+         {"v from 1 2", "1:11: expected 3 numbers after 'from', found 2" + end + ": 1 is missing"},
          {"v\nfrom 1 2 3\n\n", "2:11: expected 'at' in the view, found the end of the file"}},
         "");
 }
@@ -90,10 +101,7 @@ TEST_CASE("unknown statements are reported where they are") {
     checkErrors({
         {"sphere 0 0 0 1", "3:1: " + statementExpected + "'sphere'"},
         {"S 0 0 0 1", "3:1: " + statementExpected + "'S'"},
-        {"s 0 0 0 1 2", "3:11: " + statementExpected + "'2'"},
-        {"b 0 0 0 0", "3:9: " + statementExpected + "'0'"},
-        {"l 0 0 0 1 1 1 1", "3:15: " + statementExpected + "'1'"},
-        {"p 3 0 0 0 1 0 0 1 1 0\n0 0 0", "4:1: " + statementExpected + "'0'"},
+        {"s 0 0 0 1 - 2", "3:11: " + statementExpected + "'-'"},
         {"  from 0 0 0", "3:3: " + statementExpected + "'from'"},
         {"// comment", "3:1: " + statementExpected + "'//'"},
     });
@@ -103,8 +111,10 @@ TEST_CASE("found text is shown short and printable") {
     checkErrors(
         {{std::string(24, 'x'), "3:1: " + statementExpected + "'" + std::string(24, 'x') + "'"},
          {std::string(25, 'x'), "3:1: " + statementExpected + "'" + std::string(24, 'x') + "...'"},
-         {"a\x1b[31m\xff~", "3:1: " + statementExpected + "'a?[31m?~'"},
-         {std::string("a\0b", 3), "3:1: " + statementExpected + "'a?b'"}});
+         {"a\x1b[31m\xff~",
+          "3:1: " + statementExpected + "'a?[31m?~' (the character U+001B is not plain text)"},
+         {std::string("a\0b", 3),
+          "3:1: " + statementExpected + "'a?b' (a NUL byte, U+0000: is this a text file?)"}});
 }
 
 TEST_CASE("values out of range are reported where they are") {
@@ -138,20 +148,12 @@ TEST_CASE("values out of range are reported where they are") {
 TEST_CASE("a view that is incomplete or out of order is an error") {
     const std::string full =
         "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 8 8\n";
-    const std::vector<std::string> words = {"from", "at", "up", "angle", "hither", "resolution"};
+    const std::vector<std::string> words = {"from", "at", "up", "angle"};
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string line = std::to_string(i + 2);
         std::string text = full;
         text.replace(text.find("\n" + words[i]) + 1, words[i].size(), "oops");
         checkErrors({{text, line + ":1: expected '" + words[i] + "' in the view, found 'oops'"}},
-                    "");
-        text = full;
-        text.insert(text.find("\n" + words[i]), " 7");
-        const std::size_t end = text.find("\n" + words[i]);
-        const std::size_t start = text.rfind('\n', end - 1) + 1;
-        const std::string column = std::to_string(end - start);
-        checkErrors({{text, std::to_string(i + 1) + ":" + column + ": expected '" + words[i] +
-                                "' in the view, found '7'"}},
                     "");
     }
 }
@@ -203,13 +205,15 @@ TEST_CASE("objects need a material before them") {
 
 TEST_CASE("lines and columns count from one whatever comes before") {
     Random random(GENERATE(range(0u, 200u)));
-    const std::string pieces[] = {"\n", "\r\n", " ", "\t", "# x y\n", "b 0 0 0 ", "l 1 2 3\n"};
+    const std::string pieces[] = {"\n",        "\r\n",    "\r",      " ",        "\t",
+                                  "# x y\r\n", "# x y\r", "# x y\n", "b 0 0 0 ", "l 1 2 3\n"};
     std::string text = good;
-    for (int i = random.whole(0, 30); i > 0; --i) text += pieces[random.whole(0, 6)];
+    for (int i = random.whole(0, 30); i > 0; --i) text += pieces[random.whole(0, 9)];
     int line = 1, column = 1;
-    for (const char c : text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
         ++column;
-        if (c == '\n') ++line, column = 1;
+        const bool isSecondHalf = text[i] == '\n' && text[i - 1] == '\r';
+        if (text[i] == '\n' || text[i] == '\r') line += !isSecondHalf, column = 1;
     }
     CAPTURE(text);
     CHECK(nffErrorOf(text + "oops") == "a.nff:" + std::to_string(line) + ":" +

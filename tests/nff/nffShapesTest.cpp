@@ -19,7 +19,7 @@ std::string polygonText(const Polygon& corners, const std::vector<Vec3>& normals
 }
 
 Scene sceneOf(const std::string& statements) {
-    const NffScene file = parse(grey + statements);
+    const NffScene file = parse("l 0 0 99\n" + grey + statements);
     CHECK(file.warnings.empty());
     return file.scene;
 }

@@ -11,10 +11,6 @@ const std::string bowtie = "p 4  0 0 0  4 4 0  4 0 0  0 4 0\n";
 const std::string dent = "pp 4  0 0 0 0 0 1  4 0 0 0 0 1  4 4 1 0 0 1  0 4 0 0 0 1\n";
 const std::string lid = "c 0 0 9 2  0 0 9 1\n";
 
-std::vector<std::string> warningsOf(const std::string& statements) {
-    return parseNff(good + statements, "a.nff").warnings;
-}
-
 // The reader's words.
 std::string polygonWarning(const std::string& place, const std::string& what, int count) {
     return "a.nff:" + place + ": warning: polygon " + what +
@@ -43,7 +39,7 @@ TEST_CASE("polygons that cross themselves or are not planar give one warning at 
 }
 
 TEST_CASE("cones without height give one warning at the first and are left out") {
-    CHECK(warningsOf(" " + lid) == std::vector{coneWarning("3:2", 1)});
+    CHECK(warningsOf(" " + lid + "s 0 0 0 1") == std::vector{coneWarning("3:2", 1)});
     CHECK(warningsOf(lid + "c 0 0 0 1 0 0 1 1\n" + lid + lid) ==
           std::vector{coneWarning("3:1", 3)});
     CHECK(countOf(parse(grey + lid + "c 0 0 0 1 0 0 1 1\n").scene, "cones") == 1);
@@ -81,5 +77,5 @@ TEST_CASE("polygons are not called odd for rounding or for repeated vertices") {
         square << v[0] << ' ' << v[1] << ' ' << v[2] << '\n';
     if ((a % b).norm() < 0.1f) return;
     CAPTURE(square.str());
-    CHECK(warningsOf("p 5\n" + square.str()).empty());
+    CHECK(warningsOf("s 0 0 0 1\np 5\n" + square.str()).empty());
 }

@@ -69,7 +69,7 @@ std::string mount(int size) {
     text.light({-100, -100, 100});
     text.material({0.5, 0.45, 0.35}, 1, 0);
     Mountain(size).write(text);
-    text.material({1, 1, 1}, 0, 0.1, 0.9, 1.5);
+    text.material({1, 1, 1}, 0.1, 0.1, 0.9, 1.5);
     for (const double x : {-1., 1.})
         for (const double y : {-1., 1.})  // at four corners of a cube that share no edge
             text.sphere(dvec3(-0.75, 0.75, 1) + 0.17 * dvec3(x, y, x * y), 0.17);

@@ -29,6 +29,7 @@ set(left_out
   src/app/install.cmake src/app/outputChecks.cpp src/app/outputs.cpp src/app/pictureFormat.*
   src/app/statistics.* src/app/validators.cpp
   src/rayTree/darkness.cpp
+  src/nff/nffChecks.h src/nff/nffHints.h src/nff/nffMaterial.h src/nff/nffSkipped.h src/nff/nffText.h
   src/swCone.cpp src/swPatch.cpp
   tests/lab/report/*Test.cpp tests/lab/report/labBuild.h)
 
