@@ -18,6 +18,7 @@ PixelFaults findFaults(const sw::Image& image) {
         for (int x = 0; x < image.width(); ++x) {
             const sw::Color& c = image.at(x, y);
             const float sum = c[0] + c[1] + c[2];
+            faults.black += c.isZero();
             if (!std::isfinite(sum))
                 count(faults.notFinite, x, y);
             else if (c[0] < 0 || c[1] < 0 || c[2] < 0)
@@ -38,5 +39,9 @@ std::vector<std::string> describeFaults(const sw::Image& image, int x0, int y0) 
     const PixelFaults faults = findFaults(image);
     add(faults.notFinite, "NaN or infinite");
     add(faults.negative, "negative");
+    if (faults.black == image.width() * image.height())
+        lines.push_back("warning: every pixel is black; to see why: --pixel " +
+                        std::to_string(x0 + image.width() / 2) + "," +
+                        std::to_string(y0 + image.height() / 2));
     return lines;
 }

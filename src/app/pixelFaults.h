@@ -14,6 +14,7 @@ struct PixelFaults {
     };
     Kind notFinite;  ///< NaN or infinite in some channel
     Kind negative;   ///< and finite
+    int black = 0;   ///< which is no fault unless all pixels are
 };
 
 PixelFaults findFaults(const sw::Image& image);

@@ -40,6 +40,14 @@ TEST_CASE("NaN and infinite pixels are counted, negative ones apart, and the fir
                                    "rays: --pixel 12,22"});
 }
 
+TEST_CASE("a black picture has a word on where to look, one with a single spark has none") {
+    sw::Image image(4, 6);
+    CHECK(describeFaults(image, 10, 20) ==
+          std::vector<std::string>{"warning: every pixel is black; to see why: --pixel 12,23"});
+    image.at(3, 5) = Color(0, 1e-30f, 0);
+    CHECK(describeFaults(image, 10, 20).empty());
+}
+
 TEST_CASE("the program warns of negative pixels and writes the picture all the same") {
     const TemporaryFolder folder;
     makeFile(folder / "dark.nff",
