@@ -42,9 +42,10 @@ struct AdaptiveOptions {
     /// radiance, as displayed: root mean square of the three channels, in 0..1.
     float tolerance = 0;
     float targetRmse = 0;   ///< estimated, of the whole window; in the same unit
-    double timeLimit = 0;   ///< seconds of wall time; the first pass is always finished
+    double timeLimit = 0;   ///< seconds of wall time; see renderAdaptive()
     int maxSamples = 1024;  ///< per pixel: 1, 4, 8, 16, ..., at most 4096
-    /// render.progress reports the first pass only, which is most of the work in smooth pictures.
+    /// render.progress reports every pass, from its first tile to its last. render.stop ends the
+    /// rendering as a time limit does.
     RenderOptions render = {};
     /// Called after every pass, by the calling thread: false ends the rendering.
     std::function<bool(const AdaptiveProgress&)> keepGoing = nullptr;
@@ -53,8 +54,8 @@ struct AdaptiveOptions {
 /// `samples` counts all samples, also those in the margin around the window. A pixel's estimated
 /// error is the same in all channels.
 struct AdaptiveResult : RenderResult {
-    std::vector<int> sampleCounts;  ///< of each pixel, row by row
-    int passes = 0;
+    std::vector<int> sampleCounts;  ///< of each pixel, row by row; 0: a rough one
+    int passes = 0;                 ///< 0: there was no time for one sample in every pixel
 };
 
 /// Renders a window of a picture and chooses the number of samples in each pixel by its error. The
@@ -64,6 +65,12 @@ struct AdaptiveResult : RenderResult {
 /// target RMSE is that of the window. Calls radiance concurrently: it must be thread-safe. If it
 /// uses uniform(), the numbers depend on seed and pixel alone. The first exception that it throws
 /// ends the rendering and is passed on.
+///
+/// With a time limit, a coarse picture comes first, and stands in for the pixels that there is no
+/// time for. Some 64 pixels are sampled in any case. Where a pixel takes very long, its rays are
+/// cut short after ShortRays::generations, so far as they come from Intersection::spawnRay(). All
+/// these are the result's roughPixels. If render.stop ends the first pass and there is no time
+/// limit, the result is not `complete`; later, it is.
 /// @param window    part of the picture, at least one pixel
 /// @param width     of the full picture
 /// @param height    of the full picture

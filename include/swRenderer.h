@@ -6,6 +6,7 @@
 #include "swImage.h"
 #include "swRayCount.h"
 #include "swSampling.h"
+#include "swStop.h"
 
 namespace sw {
 
@@ -18,6 +19,8 @@ struct Window {
     int height() const { return y1 - y0; }
 };
 
+using ColorAt = std::function<Color(int x, int y)>;
+
 struct RenderOptions {
     int tileSize = 16;       ///< pixels per side
     int threads = 0;         ///< 0: one per hardware thread
@@ -26,6 +29,9 @@ struct RenderOptions {
     std::function<void(int done, int total)> progress = nullptr;
     SamplePattern pattern = SamplePattern::jitter;  ///< of radiance's samples ...
     int samples = 0;  ///< ... and their number per side of a pixel, for the error estimate
+    StopQuestion stop = nullptr;  ///< asked often, in pixels as well: true ends the rendering
+    /// Called after each tile with its pixels' colours so far, by one thread at a time.
+    std::function<void(const Window& tile, const ColorAt& colors)> preview = nullptr;
 };
 
 /// A picture and what is known about it. Errors are root mean squares of the picture as displayed,
@@ -36,8 +42,10 @@ struct RenderResult {
     double estimatedRmse = 0;   ///< of the image
     std::uint64_t samples = 0;  ///< that were taken
     RayCount rays;
-    int threads = 0;     ///< that took part
-    double seconds = 0;  ///< wall time
+    int threads = 0;                ///< that took part
+    double seconds = 0;             ///< wall time
+    bool complete = true;           ///< false: options.stop has ended it, and pixels are missing
+    std::uint64_t roughPixels = 0;  ///< that there was no time for; see renderAdaptive()
 };
 
 /// Renders a window of a picture.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <new>
 
+#include "png/stbMemory.h"
 #include "swFile.h"
 
 // Static, so that programs with an stb of their own can link to the library.
@@ -32,6 +33,7 @@ std::string encodePng(const Image& image, float gamma) {
             for (const float channel : image.at(x, y).m) bytes.push_back(toByte(channel, gamma));
 
     std::string png;
+    const StbMemory memory;
     const auto append = [](void* target, void* data, int size) {
         static_cast<std::string*>(target)->append(static_cast<const char*>(data),
                                                   static_cast<std::size_t>(size));

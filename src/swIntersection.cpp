@@ -1,6 +1,7 @@
 #include "swIntersection.h"
 
 #include "swNumerics.h"
+#include "swStop.h"
 
 namespace sw {
 namespace {
@@ -40,7 +41,9 @@ float Intersection::errorBound() const {
 }
 
 Ray Intersection::spawnRay(const Vec3& direction, const Vec3& side, RayKind kind) const {
-    return Ray(num::offsetFromSurface(position, side, errorBound()), direction, 0, FLT_MAX, kind);
+    Ray spawned(num::offsetFromSurface(position, side, errorBound()), direction, 0, FLT_MAX, kind);
+    checkStop(ray, spawned);
+    return spawned;
 }
 
 Ray Intersection::getShadowRay(const Vec3& lightPos) const {

@@ -4,16 +4,15 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <mutex>
 #include <numeric>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "swErrorEstimate.h"
 #include "swSampling.h"
+#include "swThreads.h"
 
 namespace sw {
 namespace {
@@ -37,21 +36,13 @@ public:
 
     RenderResult run() {
         const auto start = std::chrono::steady_clock::now();
-        std::vector<std::thread> helpers;
-        try {
-            for (int i = 1; i < threadCount(); ++i) helpers.emplace_back([this] { work(); });
-        } catch (const std::system_error&) {
-            // The system grants no more threads: those that run will do.
-        }
-        work();
-        for (std::thread& helper : helpers) helper.join();
-        if (failure) std::rethrow_exception(failure);
+        result.threads = onThreads(threadCount(), [this] { work(); });
 
         const double pixels = static_cast<double>(window.width()) * window.height();
         const int samples = std::max(1, options.samples);
         result.estimatedRmse = estimatedRmse();
         result.samples = static_cast<std::uint64_t>(pixels * samples * samples);
-        result.threads = static_cast<int>(helpers.size()) + 1;
+        result.complete = done == tiles;
         result.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return std::move(result);
@@ -64,29 +55,38 @@ private:
         return std::clamp(wanted, 1, std::max(1, tiles));
     }
 
-    // The work of one thread: it renders tiles until none is left.
+    // The work of one thread: it renders tiles until none is left, or one fails.
     void work() {
         takeRayCount();  // forgets what the calling thread traced before
-        PixelSamples samples(options.pattern, options.samples);
         try {
+            PixelSamples samples(options.pattern, options.samples);
+            const StopScope scope(options.stop);
             for (int tile = next++; tile < tiles; tile = next++) {
                 renderTile(tile, samples);
-                finishTile();
+                finishTile(tile);
             }
+        } catch (const Stopped&) {
+            next = tiles;
         } catch (...) {
             next = tiles;
-            const std::lock_guard lock(mutex);
-            if (!failure) failure = std::current_exception();
+            throw;
         }
         const std::lock_guard lock(mutex);
         result.rays += takeRayCount();
     }
 
-    void renderTile(int tile, PixelSamples& samples) {
+    Window place(int tile) const {
         const int left = window.x0 + tile % columns * tileSize;
         const int top = window.y0 + tile / columns * tileSize;
-        for (int y = top; y < std::min(top + tileSize, window.y1); ++y) {
-            for (int x = left; x < std::min(left + tileSize, window.x1); ++x) {
+        return {left, top, std::min(left + tileSize, window.x1),
+                std::min(top + tileSize, window.y1)};
+    }
+
+    void renderTile(int tile, PixelSamples& samples) {
+        const Window part = place(tile);
+        for (int y = part.y0; y < part.y1; ++y) {
+            for (int x = part.x0; x < part.x1; ++x) {
+                checkStop(x, y, options.samples * options.samples);
                 seedPixel(options.seed, x, y);
                 Color& pixel = result.image.at(x - window.x0, y - window.y0);
                 pixel = radiance(x, y);
@@ -103,9 +103,13 @@ private:
         return std::sqrt(sum / (3.0 * window.width() * window.height()));
     }
 
-    void finishTile() {
+    void finishTile(int tile) {
         const std::lock_guard lock(mutex);
         ++done;
+        if (options.preview)
+            options.preview(place(tile), [this](int x, int y) {
+                return result.image.at(x - window.x0, y - window.y0);
+            });
         if (options.progress) options.progress(done, tiles);
     }
 
@@ -121,7 +125,6 @@ private:
     std::atomic<int> next{0};
     std::mutex mutex;  // guards result.rays and what follows
     int done = 0;
-    std::exception_ptr failure;
 };
 
 }  // namespace

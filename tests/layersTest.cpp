@@ -19,9 +19,19 @@ namespace {
 
 using Names = std::set<std::string>;
 
-const Names values{
-    "swVec3", "swRay",          "swLight",    "swMaterial", "swBounds",           "swNumerics",
-    "swFile", "swIntersection", "swRayCount", "swSampling", "sampling/splitMix64"};
+const Names values{"swVec3",
+                   "swRay",
+                   "swLight",
+                   "swMaterial",
+                   "swBounds",
+                   "swNumerics",
+                   "swFile",
+                   "swIntersection",
+                   "swRayCount",
+                   "swSampling",
+                   "sampling/splitMix64",
+                   "swStop",
+                   "swThreads"};
 const Names shapes{"swPrimitive", "swSphere", "swTriangle", "swCone", "swPatch"};
 const Names scene{"swBvh", "swBvhNode", "swScene"};
 

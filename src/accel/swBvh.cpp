@@ -6,11 +6,11 @@
 #include <bit>
 #include <cstring>
 #include <stdexcept>
-#include <thread>
 #include <tuple>
 
 #include "accel/bvhBuild.h"
 #include "accel/bvhOrder.h"
+#include "swThreads.h"
 
 namespace sw {
 namespace {
@@ -173,10 +173,7 @@ void inParallel(std::size_t n, int threads, const Work& work) {
     const auto run = [&] {
         for (std::size_t i = next++; i < n; i = next++) work(i);
     };
-    std::vector<std::thread> helpers;
-    for (int i = 1; i < threads && static_cast<std::size_t>(i) < n; ++i) helpers.emplace_back(run);
-    run();
-    for (std::thread& helper : helpers) helper.join();
+    onThreads(std::clamp(threads, 1, std::max(1, static_cast<int>(n))), run);
 }
 
 // The jobs depend on the primitives alone, so the tree is the same for any number of threads.

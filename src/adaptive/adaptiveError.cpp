@@ -50,7 +50,7 @@ float unseenContrast(const Neighbourhood& around) {
     const Plane plane = planeThrough(around);
     const float slope = square(plane.dx) + square(plane.dy);
     const float unexplained = 2 * square(plane.residual) + 4 * slope * slope;
-    const float sum = (around[4]->samples == 1 ? 0.2f : 1.f) * contrast + unexplained;
+    const float sum = (around[4]->samples <= 1 ? 0.2f : 1.f) * contrast + unexplained;
     return sum < 100 ? sum : 100;  // 100 for NaN, too
 }
 
@@ -86,7 +86,7 @@ void lookAround(AdaptivePixel& pixel, const Neighbourhood& around) {
 // squared contrast. Measured next to pixels with a contrast: 1 / (10 n^3) for n = 4 and 8, a fifth
 // of that for n = 1; after a contrast between pixels, 1 / (5 n^3).
 float squaredError(const AdaptivePixel& pixel) {
-    const float n = static_cast<float>(pixel.samples);
+    const float n = static_cast<float>(std::max(pixel.samples, 1));
     float sum = pixel.variance + pixel.unseenContrast / (10 * n * n * n);
     const ThinFeature& thin = pixel.thinFeature;
     if (thin.squaredError > 0)
@@ -98,7 +98,7 @@ float squaredError(const AdaptivePixel& pixel) {
 
 Color resolve(const Neighbourhood& around) {
     const AdaptivePixel& own = *around[4];
-    if (own.samples > 1) return own.mean;
+    if (own.samples != 1) return own.mean;
     // A single sample is moved to the pixel's centre along the neighbours' slope, within the range
     // of the neighbours' colours.
     const Plane plane = planeThrough(around);

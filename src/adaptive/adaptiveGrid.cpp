@@ -2,20 +2,12 @@
 
 #include <algorithm>
 
+#include "adaptive/tiles.h"
+
 namespace sw {
 namespace {
 
 constexpr auto relaxed = std::memory_order_relaxed;
-
-Window common(const Window& a, const Window& b) {
-    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
-template <typename Function>
-void forEachPixel(const Window& window, const Function& function) {
-    for (int y = window.y0; y < window.y1; ++y)
-        for (int x = window.x0; x < window.x1; ++x) function(x, y);
-}
 
 }  // namespace
 
@@ -30,57 +22,104 @@ AdaptiveGrid::AdaptiveGrid(const Window& region, const RadianceAt& radiance,
     for (std::size_t i = 0; i < pixels.size(); ++i) stale[i].store(true, relaxed);
 }
 
-void AdaptiveGrid::start() {
-    forEachTile(
-        [this](const Window& tile) {
-            forEachPixel(tile, [this](int x, int y) {
-                refine(pixels[index(x, y)], x, y, radiance, options.seed);
-            });
-        },
-        options.progress);
-    taken = pixels.size();
+bool AdaptiveGrid::start(TimeShare& share, const CoarsePicture* coarse) {
+    const auto firstSamples = [&](const Window& tile) {
+        std::uint64_t count = 0;
+        const auto first = [&](int x, int y) {
+            checkStop(x, y, 1);
+            AdaptivePixel& own = pixels[index(x, y)];
+            refine(own, x, y, radiance, options.seed);
+            own.isClosed = ShortRays::areOn();
+            ++count;
+        };
+        const auto takesLong = [&](int x, int y) { return coarse && coarse->takesLong(x, y); };
+        visit(tile, share, first, takesLong);
+        taken.fetch_add(count, relaxed);
+        show(tile, tile);
+    };
+    sweep(firstSamples, options.progress);
+    if (taken != pixels.size()) {
+        if (!coarse) return false;
+        borrowColors(*coarse);
+    }
+    const auto start = Clock::now();
     estimateErrors();
+    estimating = std::chrono::duration<double>(Clock::now() - start).count();
+    return true;
 }
 
-void AdaptiveGrid::refineWhere(const Window& window, const Need& needed,
-                               const std::function<bool()>& late) {
-    const std::uint64_t before = taken;
-    forEachTile([&](const Window& tile) {
-        if (late()) return;
-        forEachPixel(common(tile, window), [&](int x, int y) {
-            const std::size_t i = index(x, y);
-            if (needed(errors[i], pixels[i].samples)) refinePixel(x, y, needed);
+void AdaptiveGrid::borrowColors(const CoarsePicture& coarse) {
+    sweep([&](const Window& tile) {
+        forEachPixel(tile, [&](int x, int y) {
+            AdaptivePixel& pixel = pixels[index(x, y)];
+            if (pixel.samples > 0) return;
+            pixel.mean = coarse.at(x, y).color;
+            pixel.variance = coarse.squaredErrorAt(x, y);
+            pixel.x = pixel.y = 0.5f;
+            pixel.isClosed = true;
         });
     });
+}
+
+void AdaptiveGrid::refineWhere(const Window& window, const Need& needed, TimeShare& share) {
+    const std::uint64_t before = taken;
+    const auto never = [](int, int) { return false; };
+    const auto refineTile = [&](const Window& tile) {
+        bool changed = false;
+        const auto refineIfNeeded = [&](int x, int y) {
+            AdaptivePixel& own = pixels[index(x, y)];
+            if (ShortRays::areOn()) own.isClosed = true;
+            if (own.isClosed || !needed(errors[index(x, y)], own.samples)) return;
+            changed = true;
+            checkStop(x, y, own.samples);
+            refinePixel(x, y, needed);
+        };
+        visit(common(tile, window), share, refineIfNeeded, never);
+        if (changed) show(tile, tile);
+    };
+    sweep(refineTile, options.progress);
     if (taken != before) estimateErrors();
 }
 
 // Refines a pixel until it needs no more, as judged by what is known of its neighbours now.
 void AdaptiveGrid::refinePixel(int x, int y, const Need& needed) {
     AdaptivePixel& pixel = pixels[index(x, y)];
-    const int before = pixel.samples;
-    while (needed(squaredError(pixel), pixel.samples)) refine(pixel, x, y, radiance, options.seed);
-    taken.fetch_add(static_cast<std::uint64_t>(pixel.samples - before), relaxed);
     forEachPixel(common({x - 1, y - 1, x + 2, y + 2}, region),
                  [this](int i, int j) { stale[index(i, j)].store(true, relaxed); });
+    while (needed(squaredError(pixel), pixel.samples)) {
+        const int before = pixel.samples;
+        refine(pixel, x, y, radiance, options.seed);
+        taken.fetch_add(static_cast<std::uint64_t>(pixel.samples - before), relaxed);
+    }
 }
 
 void AdaptiveGrid::estimateErrors() {
-    forEachTile([this](const Window& tile) {
-        forEachPixel(tile, [this](int x, int y) {
+    sweep([this](const Window& tile) {
+        bool changed = false;
+        forEachPixel(tile, [&](int x, int y) {
             const std::size_t i = index(x, y);
             if (!stale[i].load(relaxed)) return;
             stale[i].store(false, relaxed);
-            lookAround(pixels[i], around(x, y));
+            lookAround(pixels[i], around(x, y, region));
             errors[i] = squaredError(pixels[i]);
+            changed = true;
         });
+        if (changed) show(tile, region);
     });
 }
 
-Neighbourhood AdaptiveGrid::around(int x, int y) const {
+// Hands the pixels of a tile to who wants to see them before the end.
+// @param safe  where no other thread changes pixels
+void AdaptiveGrid::show(const Window& tile, const Window& safe) {
+    if (!options.preview) return;
+    const std::lock_guard lock(showing);
+    options.preview(tile, [&](int x, int y) { return resolve(around(x, y, safe)); });
+}
+
+Neighbourhood AdaptiveGrid::around(int x, int y, const Window& area) const {
     const AdaptivePixel* own = &pixels[index(x, y)];
     const auto pixelAt = [&](int i, int j) {
-        const bool inside = i >= region.x0 && i < region.x1 && j >= region.y0 && j < region.y1;
+        const bool inside = i >= area.x0 && i < area.x1 && j >= area.y0 && j < area.y1;
         return inside ? &pixels[index(i, j)] : own;
     };
     return {pixelAt(x - 1, y - 1),
@@ -94,23 +133,11 @@ Neighbourhood AdaptiveGrid::around(int x, int y) const {
             pixelAt(x + 1, y + 1)};
 }
 
-// Uses the renderer's threads: each tile is a pixel of a picture that is thrown away.
-template <typename TileFunction>
-void AdaptiveGrid::forEachTile(const TileFunction& function,
-                               const std::function<void(int, int)>& progress) {
-    const int side = std::max(1, options.tileSize);
-    const Window tiles{0, 0, (region.width() + side - 1) / side,
-                       (region.height() + side - 1) / side};
-    const auto tile = [&](int column, int row) {
-        const int x = region.x0 + column * side, y = region.y0 + row * side;
-        function(common({x, y, x + side, y + side}, region));
-        return Color();
-    };
-    const RenderOptions tileOptions{
-        .tileSize = 1, .threads = options.threads, .progress = progress};
-    const RenderResult sweep = render(tiles, tile, tileOptions);
-    traced += sweep.rays;
-    mostThreads = std::max(mostThreads, sweep.threads);
+template <typename Function>
+void AdaptiveGrid::sweep(const Function& function, const std::function<void(int, int)>& progress) {
+    const Sweep done = forEachTile(region, options, function, progress);
+    traced += done.rays;
+    mostThreads = std::max(mostThreads, done.threads);
 }
 
 }  // namespace sw

@@ -30,6 +30,11 @@ struct AdaptivePixel {
     float contrast = 0;        ///< squared: the largest between places side by side in the pixel
     float unseenContrast = 0;  ///< squared: what the samples may have missed; see lookAround()
     ThinFeature thinFeature;   ///< what the samples may have missed as well
+    /// Takes no more samples, as these take too long. If it has none, its mean is a colour nearby;
+    /// if it has one, that sample's rays were cut short.
+    bool isClosed = false;
+
+    bool isRough() const { return isClosed && samples <= 1; }
 };
 
 /// A pixel and the eight around it, row by row. Outside the picture, the pixel itself takes their

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "adaptive/adaptiveGrid.h"
+#include "adaptive/adaptiveResult.h"
+#include "adaptive/coarsePicture.h"
 #include "adaptive/pixelSequence.h"
+#include "adaptive/timeShare.h"
 
 namespace sw {
 namespace {
@@ -36,76 +40,130 @@ Window within(const Window& window, int width, int height) {
             std::min(window.y1, height)};
 }
 
+std::chrono::nanoseconds inNanoseconds(double seconds) {
+    return std::chrono::nanoseconds(static_cast<long long>(1e9 * seconds));
+}
+
 class AdaptiveRenderer {
 public:
     AdaptiveRenderer(const Window& window, int width, int height, const RadianceAt& radiance,
                      const AdaptiveOptions& options)
         : window(window),
           options(options),
+          radiance(radiance),
           passThresholds(thresholds(options.tolerance)),
           margin(options.tolerance > 0 ? static_cast<int>(passThresholds.size()) + 1 : 1),
-          grid(within(grown(window, margin), width, height), radiance, options.render) {}
+          region(within(grown(window, margin), width, height)),
+          result{{Image(1, 1), Image(1, 1), {}, {}, {}}, {}, {}} {
+        makeBlank(picture, window);
+        memorySeconds = seconds();
+    }
 
     AdaptiveResult run() {
-        grid.start();
-        passes = 1;
-        for (const float threshold : passThresholds) {
-            if (limitReached()) break;
-            pass(threshold);
-        }
-        return result();
+        if (!isLimited() || timeSufficesForAll()) sampleAll();
+        const bool onlyCoarse = coarse && passes == 0;
+        if (onlyCoarse) fill(picture, *coarse, window, options.render);
+        if (passes > 0) fill(picture, *grid, window, options.render);
+        result.complete = onlyCoarse ? coarse->samples() > 0 : passes > 0;
+        result.passes = passes;
+        result.seconds = seconds();
+        return std::move(result);
     }
 
 private:
+    bool isLimited() const { return options.timeLimit > 0; }
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+    // For a sweep that ends some seconds before the limit. Pixels that take too long may have a
+    // sixteenth of its time together.
+    TimeShare shareUntil(double reserve, double least = 0) const {
+        if (!isLimited()) return TimeShare(options.render.stop);
+        const double left = std::max(options.timeLimit - seconds() - reserve, least);
+        return {options.render.stop, Clock::now() + inNanoseconds(left), left / 16};
+    }
+
+    // Makes the coarse picture finer until there is time for all pixels, or no more time. The first
+    // level has some time in any case: there must be a picture. In the end, the result is filled
+    // in. That takes about half as long as it took to get its memory, and a block's error takes at
+    // most a twentieth of a sample's time.
+    bool timeSufficesForAll() {
+        coarse.emplace(region, radiance, options.render);
+        do {
+            const double start = seconds();
+            const bool isFirst = coarse->side() == 0;
+            TimeShare share = shareUntil(secondsToFill(), isFirst ? 0.05 : 0);
+            coarse->addLevel(share);
+            if (share.wasOver()) return false;
+            // Pixels that are given up have a limit of their own, however many there are.
+            const double wasted = share.secondsWasted() / coarse->threads();
+            const double rest = std::max(seconds() - start - wasted, 0.0);
+            firstPassSeconds = rest / static_cast<double>(coarse->samplesOfLevel()) *
+                               (static_cast<double>(region.width()) * region.height());
+            const double left = options.timeLimit - seconds();
+            const double forWaste = wasted > 0 ? left / 16 : 0;
+            // The grid takes three times the memory of the result; estimates take time as well.
+            if (1.3 * firstPassSeconds + 3 * memorySeconds + forWaste < left) return true;
+        } while (coarse->side() > 1 && hasTimeForNextLevel());
+        return false;
+    }
+
+    // With the coarse picture's next level.
+    double secondsToFill() const {
+        return memorySeconds / 2 + firstPassSeconds / 20 / std::max(coarse->side() / 2, 1);
+    }
+    // A block takes nearly as much memory as a pixel of the result, but a single thread gets it.
+    bool hasTimeForNextLevel() const {
+        const double side = coarse->side() / 2;
+        return seconds() + 1.5 * memorySeconds / (side * side) + secondsToFill() <
+               options.timeLimit;
+    }
+
+    void sampleAll() {
+        grid.emplace(region, radiance, options.render);
+        TimeShare first = shareUntil(0.3 * firstPassSeconds);
+        if (!grid->start(first, coarse ? &*coarse : nullptr)) return;
+        passes = 1;
+        bool over = first.wasOver();
+        for (const float threshold : passThresholds) {
+            // Time for the errors after the pass, and to fill in the result.
+            const double reserve = 2 * grid->secondsForErrors();
+            if (over || limitReached(reserve)) return;
+            TimeShare share = shareUntil(reserve);
+            pass(threshold, share);
+            over = share.wasOver();
+        }
+    }
+
     // The influence of a pixel in the margin moves only one pixel further with each pass to come.
-    void pass(float threshold) {
+    void pass(float threshold, TimeShare& share) {
         const float tolerance = std::max(0.f, options.tolerance);
         const int most = std::min(options.maxSamples, PixelSequence::length);
-        grid.refineWhere(grown(window, std::max(0, margin - passes)),
-                         {tolerance * tolerance, threshold * threshold, most},
-                         [this] { return late(); });
+        grid->refineWhere(grown(window, std::max(0, margin - passes)),
+                          {tolerance * tolerance, threshold * threshold, most}, share);
         ++passes;
     }
 
-    bool late() const { return options.timeLimit > 0 && seconds() >= options.timeLimit; }
-    bool limitReached() const {
-        if (late() || (options.targetRmse > 0 && rmse() <= options.targetRmse)) return true;
-        return options.keepGoing && !options.keepGoing({passes, grid.samples(), rmse(), seconds()});
+    bool limitReached(double reserve) const {
+        if (isLimited() && seconds() + reserve >= options.timeLimit) return true;
+        if (options.targetRmse > 0 && rmse() <= options.targetRmse) return true;
+        return options.keepGoing &&
+               !options.keepGoing({passes, grid->samples(), rmse(), seconds()});
     }
+    double rmse() const { return estimatedRmse(*grid, window); }
 
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    }
-    double rmse() const {
-        double sum = 0;
-        for (int y = window.y0; y < window.y1; ++y)
-            for (int x = window.x0; x < window.x1; ++x) sum += grid.squaredErrorOf(x, y);
-        return std::sqrt(sum / window.width() / window.height());
-    }
-
-    AdaptiveResult result() const {
-        AdaptiveResult result{
-            {Image(window.width(), window.height()), Image(window.width(), window.height()), rmse(),
-             grid.samples(), grid.rays(), grid.threads(), seconds()},
-            {},
-            passes};
-        for (int y = window.y0; y < window.y1; ++y) {
-            for (int x = window.x0; x < window.x1; ++x) {
-                result.image.at(x - window.x0, y - window.y0) = grid.color(x, y);
-                const float error = std::sqrt(grid.squaredErrorOf(x, y));
-                result.errors.at(x - window.x0, y - window.y0) = Color(error, error, error);
-                result.sampleCounts.push_back(grid.pixel(x, y).samples);
-            }
-        }
-        return result;
-    }
-
-    const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+    const Clock::time_point begin = Clock::now();
     const Window window;
     const AdaptiveOptions& options;
+    const RadianceAt& radiance;
     const std::vector<float> passThresholds;
     const int margin;
-    AdaptiveGrid grid;
+    const Window region;
+    AdaptiveResult result;
+    const SampledPicture picture{result, result.sampleCounts};
+    double memorySeconds = 0;  // that it took to get the result's memory
+    std::optional<CoarsePicture> coarse;
+    double firstPassSeconds = 0;  // as expected from the coarse picture
+    std::optional<AdaptiveGrid> grid;
     int passes = 0;
 };
 

@@ -41,6 +41,8 @@ void addExtraOptions(CLI::App& app, ExtraOptions& options) {
     addLimit("--target-rmse", options.targetRmse,
              "stop when the picture's estimated error is at most this");
     addLimit("--time-limit", options.timeLimit, "stop after this many seconds");
+    app.add_flag("--preview", options.preview,
+                 "write the picture so far to the output file, every second");
     app.add_flag("--corners", options.corners,
                  "one ray per pixel corner, shared by four pixels, instead of samples");
     app.add_option("--stats", options.stats, "JSON file for ray counts, times and error")

@@ -14,7 +14,8 @@ struct ExtraOptions {
     sw::SamplePattern pattern = sw::SamplePattern::jitter;
     float tolerance = 0;          ///< adaptive: largest estimated error of a pixel; 0: none
     float targetRmse = 0;         ///< adaptive: largest estimated error of the picture; 0: none
-    double timeLimit = 0;         ///< adaptive: in seconds; 0: none
+    double timeLimit = 0;         ///< adaptive: of the whole run but writing, in seconds; 0: none
+    bool preview = false;         ///< write the picture so far, every second
     bool corners = false;         ///< trace rays at the pixels' corners; samples is 1
     std::filesystem::path stats;  ///< JSON file for statistics; empty: none
     std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none

@@ -1,5 +1,7 @@
 #include "app/extras.h"
 
+#include <algorithm>
+
 #include "app/outputs.h"
 #include "app/statistics.h"
 #include "swAdaptive.h"
@@ -8,15 +10,19 @@
 #include "swSamplePattern.h"
 
 std::optional<sw::RenderResult> renderOtherwise(
-    const Options& options, const sw::RenderOptions& how,
+    const Options& options, const StepTimes& spent, RenderWatch& watch,
     const std::function<sw::Color(float x, float y)>& radiance) {
     const ExtraOptions& sampling = options.extra;
+    const sw::RenderOptions& how = watch.how();
     if (sampling.isAdaptive()) {
         sw::AdaptiveOptions limits;
         limits.tolerance = sampling.tolerance;
         limits.targetRmse = sampling.targetRmse;
-        limits.timeLimit = sampling.timeLimit;
+        if (sampling.timeLimit > 0)
+            limits.timeLimit = std::max(sampling.timeLimit - spent.total(), 1e-3);
         limits.render = how;
+        if (watch.showsPasses())
+            limits.keepGoing = [&](const auto& progress) { return watch.passDone(progress); };
         return sw::renderAdaptive(*options.crop, options.width, options.height, radiance, limits);
     }
     if (sampling.corners) {

@@ -18,7 +18,8 @@ constexpr const char* examples = R"(Examples:
 Output FILE: .png, .pfm and .hdr for linear values, or - for standard output. Scene -: from
 standard input.
 
-Exit codes: 0 done, 2 command line, 3 scene, 4 output, 1 anything else.)";
+Exit codes: 0 done, 2 command line or too little memory, 3 scene, 4 output, 128+n ended by signal n,
+1 anything else.)";
 
 // How many letters must be put in, left out or replaced to make one text of the other (Levenshtein,
 // Binary codes capable of correcting deletions, insertions, and reversals, 1966).
@@ -68,7 +69,7 @@ void arrangeHelp(CLI::App& app) {
     const auto group = [&](const char* name, std::initializer_list<const char*> options) {
         for (const char* option : options) app.get_option(option)->group(name);
     };
-    group("Picture", {"--output", "--size", "--crop", "--gamma", "--force"});
+    group("Picture", {"--output", "--size", "--crop", "--gamma", "--preview", "--force"});
     group("Rays", {"--samples", "--sampler", "--depth", "--corners", "--seed", "--threads"});
     group("Adaptive sampling", {"--adaptive", "--target-rmse", "--time-limit"});
     group("More to learn", {"--pixel", "--stats", "--error-image"});

@@ -57,10 +57,10 @@ Pixel readPixel(const std::string& text) {
 // Refuses options of different ways to sample a picture, and options of pictures beside --pixel.
 void requireOneWay(const CLI::App& app, const Options& options) {
     if (options.pixel)
-        refuseBeside(
-            app, "--pixel",
-            {"--output", "--samples", "--sampler", "--adaptive", "--target-rmse", "--time-limit",
-             "--corners", "--threads", "--crop", "--quiet", "--stats", "--error-image"});
+        refuseBeside(app, "--pixel",
+                     {"--output", "--samples", "--sampler", "--adaptive", "--target-rmse",
+                      "--time-limit", "--corners", "--threads", "--crop", "--quiet", "--stats",
+                      "--error-image", "--preview"});
     checkExtraOptions(app, options.extra, options.samples);
 }
 

@@ -1,7 +1,10 @@
 // checkFiles() of outputs.h.
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
+#include <exception>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -127,10 +130,16 @@ void requireOwnKind(const Output& output) {
 }
 
 // A closed standard stream stays closed, instead of becoming the next file that is opened: open()
-// takes the lowest number that is free. And a file that grows beyond the system's limit is an
-// error, not the end of the process.
-void prepareStreams() {
+// takes the lowest number that is free. A file that grows beyond the system's limit is an error,
+// not the end of the process. And where memory does not even suffice for an exception, there is a
+// word.
+void prepareProcess() {
 #ifndef _WIN32
+    std::set_terminate([] {
+        if (std::current_exception()) std::abort();
+        constexpr std::string_view line = "swtracer: too little memory\n";
+        _exit(write(2, line.data(), line.size()) < 0 ? 4 : 2);
+    });
     for (const int stream : {0, 1, 2}) {
         if (fcntl(stream, F_GETFD) >= 0) continue;
         const int unusable = stream == 0 ? O_WRONLY : O_RDONLY;
@@ -143,7 +152,7 @@ void prepareStreams() {
 }  // namespace
 
 Options checkFiles(Options options) {
-    prepareStreams();
+    prepareProcess();
     if (options.scene == "-") options.scene = "/dev/stdin";
     if (options.pixel) return options;
     for (fs::path* name : {&options.output, &options.extra.stats, &options.extra.errorImage})

@@ -4,19 +4,11 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
-#include <new>
 #include <vector>
 
-// An allocator that throws: stb would go on with a null pointer. Static: the library has its own.
-#define STBIW_MALLOC(size) ::operator new(size)
-#define STBIW_REALLOC_SIZED(old, from, to) growForStb(old, from, to)
-#define STBIW_FREE(memory) ::operator delete(memory)
-static void* growForStb(void* old, std::size_t from, std::size_t to) {
-    void* const grown = ::operator new(to);
-    if (old) std::copy_n(static_cast<char*>(old), from, static_cast<char*>(grown));
-    ::operator delete(old);
-    return grown;
-}
+#include "png/stbMemory.h"
+
+// Static: the library has its own.
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #include <stb_image_write.h>
@@ -52,6 +44,7 @@ std::string encodeHdr(const sw::Image& image) {
         for (int x = 0; x < image.width(); ++x)
             for (const float channel : image.at(x, y).m) floats.push_back(storable(channel));
     std::string bytes;
+    const sw::StbMemory memory;
     stbi_write_hdr_to_func(append, &bytes, image.width(), image.height(), 3, floats.data());
     return bytes;
 }

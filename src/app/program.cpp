@@ -8,7 +8,7 @@
 #include "app/outputs.h"
 #include "app/pixelFaults.h"
 #include "app/pixelTree.h"
-#include "app/progressBar.h"
+#include "app/renderWatch.h"
 #include "app/stackGuard.h"
 #include "swFile.h"
 #include "swSampling.h"
@@ -46,13 +46,10 @@ void Run::render(const rayTree::Trace& traceRay,
         stackGuard::watch(x, y);
         return samplePixel(x, y);
     };
-    const RenderOptions how{.threads = options.threads,
-                            .seed = options.seed,
-                            .progress = makeProgressBar(options.quiet),
-                            .pattern = options.extra.pattern,
-                            .samples = options.samples};
-    result = renderOtherwise(options, how, radiance);
-    if (!result) result = sw::render(*options.crop, pixel, how);
+    RenderWatch attended(options, file->scene.background());
+    result = renderOtherwise(options, seconds, attended, radiance);
+    if (!result) result = sw::render(*options.crop, pixel, attended.how());
+    attended.end(*result);
     seconds.trace = watch.lap();
 }
 
@@ -64,6 +61,7 @@ void Run::write() {
     if (!options.quiet)
         printWarnings(describeFaults(result->image, options.crop->x0, options.crop->y0));
     if (!options.quiet) printSummary(summary(options, *result, seconds), options);
+    tellOfLack(options, *result);
 }
 
 int runProgram(int argc, const char* const* argv, const std::function<void(Run&)>& steps) {
@@ -81,6 +79,8 @@ int runProgram(int argc, const char* const* argv, const std::function<void(Run&)
         return fail(3, error);
     } catch (const FileError& error) {
         return fail(4, error);
+    } catch (const Interrupted& error) {
+        return fail(Interrupted::exitCode(), error);
     } catch (const std::bad_alloc&) {
         return fail(2, UsageError("too large for memory; try a smaller --size, or --crop"));
     } catch (const std::exception& error) {

@@ -46,5 +46,5 @@ private:
 };
 
 /// Reads the command line, runs the steps, and reports a failure in one line on stderr.
-/// @return  exit code: 0 done, 1 unexpected, 2 command line, 3 scene, 4 output
+/// @return  exit code: 0 done, 1 unexpected, 2 command line, 3 scene, 4 output, 128 + n signal n
 int runProgram(int argc, const char* const* argv, const std::function<void(Run&)>& steps);

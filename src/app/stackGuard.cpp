@@ -8,7 +8,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <vector>
 
 namespace stackGuard {
 namespace {
@@ -52,25 +51,9 @@ void explain(int signal, siginfo_t* info, void*) {
     ::signal(signal, SIG_DFL);  // any other fault takes its usual way
 }
 
-// The handler needs a stack of its own. The thread keeps it until its end.
-class HandlerStack {
-public:
-    HandlerStack() : memory(1 << 16) {
-        stack_t stack{};
-        stack.ss_sp = memory.data();
-        stack.ss_size = memory.size();
-        sigaltstack(&stack, nullptr);
-        current.lowest = lowestAddress();
-    }
-    ~HandlerStack() {
-        stack_t none{};
-        none.ss_flags = SS_DISABLE;
-        sigaltstack(&none, nullptr);
-    }
-
-private:
-    std::vector<char> memory;
-};
+// The handler needs a stack of its own. It is the thread's from its start: an allocation could
+// fail.
+thread_local constinit char handlerStack[1 << 15] = {};
 
 bool installHandler() {
     struct sigaction action {};
@@ -84,8 +67,12 @@ bool installHandler() {
 
 void watch(int x, int y) {
     static const bool installed = installHandler();
-    thread_local const HandlerStack stack;
-    static_cast<void>(installed);
+    if (!current.lowest && installed) {
+        stack_t stack{};
+        stack.ss_sp = handlerStack;
+        stack.ss_size = sizeof handlerStack;
+        if (sigaltstack(&stack, nullptr) == 0) current.lowest = lowestAddress();
+    }
     current.x = x;
     current.y = y;
 }

@@ -159,15 +159,6 @@ TEST_CASE("no pixel takes more samples than it may", "[adaptive]") {
     CHECK(largest(result.sampleCounts) == expected);
 }
 
-TEST_CASE("the first pass is finished, however short the time", "[adaptive]") {
-    AdaptiveOptions options = tolerance(0.001f);
-    options.timeLimit = 1e-9;
-    const AdaptiveResult result = rendered(busy, options);
-    CHECK(result.passes == 1);
-    CHECK(largest(result.sampleCounts) == 1);
-    CHECK(result.estimatedRmse > 0.01);
-}
-
 TEST_CASE("rendering ends when the time is up or the caller says so", "[adaptive]") {
     AdaptiveOptions options;
     std::vector<AdaptiveProgress> seen;

@@ -80,7 +80,7 @@ TEST_CASE("the help has groups, three examples that work, and the exit codes") {
     const std::string help = swtracer(folder, "--help").out;
     for (const std::string part :
          {"\nPicture:\n", "\nRays:\n", "\nAdaptive sampling:\n", "\nExamples:\n",
-          "Exit codes: 0 done, 2 command line, 3 scene, "})
+          "Exit codes: 0 done, 2 command line or too little memory, 3 scene, "})
         CHECK(has(help, part));
     fs::copy_file(fs::path(SW_SCENES) / "one-triangle.nff", folder / "my.nff");
     std::size_t at = help.find("\nExamples:\n") + 11;

@@ -14,6 +14,7 @@ set(contents
   src/app/*
   src/nff/nff*.h src/nff/nffShapes.cpp src/nff/nffSpheres.cpp src/nff/nffTokens.cpp
   src/nff/nffView.cpp src/nff/plainText.* src/nff/swNff.cpp
+  src/png/*
   src/rayTree/*
   src/sampling/splitMix64.h src/sampling/swErrorEstimate.cpp
   tests/CMakeLists.txt tests/catch.h tests/files.h tests/main.cpp tests/support.*
@@ -26,11 +27,12 @@ set(left_out
   include/swAdaptive.h include/swBvh*.h include/swCone.h include/swCorners.h include/swMetrics.h
   include/swPatch.h include/swSamplePattern.h
   src/app/console.cpp src/app/extraOptions.cpp src/app/extras.cpp src/app/help.*
-  src/app/install.cmake src/app/outputChecks.cpp src/app/outputs.cpp src/app/pictureFormat.*
-  src/app/statistics.* src/app/validators.cpp
-  src/rayTree/darkness.cpp
+  src/app/install.cmake src/app/interrupt.* src/app/outputChecks.cpp src/app/outputs.cpp
+  src/app/pictureFormat.* src/app/preview.* src/app/progressBar.* src/app/renderWatch.cpp
+  src/app/scenePath.cpp src/app/statistics.* src/app/terminal.* src/app/validators.cpp
   src/nff/nffChecks.h src/nff/nffHints.h src/nff/nffMaterial.h src/nff/nffSkipped.h src/nff/nffText.h
-  src/swCone.cpp src/swPatch.cpp
+  src/rayTree/darkness.cpp
+  src/swCone.cpp src/swPatch.cpp src/swStop.cpp
   tests/lab/report/*Test.cpp tests/lab/report/labBuild.h)
 
 function(listed result patterns)

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/options.h"
+#include "app/renderWatch.h"
 #include "app/report.h"
 #include "swRenderer.h"
 #include "swScene.h"
@@ -11,7 +12,8 @@
 // The program does nothing beyond the lab.
 
 inline std::optional<sw::RenderResult> renderOtherwise(
-    const Options&, const sw::RenderOptions&, const std::function<sw::Color(float x, float y)>&) {
+    const Options&, const StepTimes&, const RenderWatch&,
+    const std::function<sw::Color(float x, float y)>&) {
     return std::nullopt;
 }
 
