@@ -55,6 +55,16 @@ void explain(int signal, siginfo_t* info, void*) {
 // fail.
 thread_local constinit char handlerStack[1 << 15] = {};
 
+// A thread that has such a stack already, as sanitizers give it one, keeps that.
+bool provideHandlerStack() {
+    stack_t stack{};
+    if (sigaltstack(nullptr, &stack) == 0 && (stack.ss_flags & SS_DISABLE) == 0) return true;
+    stack = {};
+    stack.ss_sp = handlerStack;
+    stack.ss_size = sizeof handlerStack;
+    return sigaltstack(&stack, nullptr) == 0;
+}
+
 bool installHandler() {
     struct sigaction action {};
     action.sa_sigaction = explain;
@@ -67,12 +77,7 @@ bool installHandler() {
 
 void watch(int x, int y) {
     static const bool installed = installHandler();
-    if (!current.lowest && installed) {
-        stack_t stack{};
-        stack.ss_sp = handlerStack;
-        stack.ss_size = sizeof handlerStack;
-        if (sigaltstack(&stack, nullptr) == 0) current.lowest = lowestAddress();
-    }
+    if (!current.lowest && installed && provideHandlerStack()) current.lowest = lowestAddress();
     current.x = x;
     current.y = y;
 }
