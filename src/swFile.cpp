@@ -22,6 +22,7 @@ std::string readFile(const std::filesystem::path& path) {
     if (!in && !std::filesystem::exists(path, none)) fail("not found; is the path right?");
     if (std::filesystem::is_directory(path, none)) fail("is a folder; expected a file");
     if (!in) fail(reason(error));
+    if (isDevice(in.get())) fail("is a device; expected a file");
     std::string content;
     const auto size = std::filesystem::file_size(path, none);
     if (!none) content.reserve(size);

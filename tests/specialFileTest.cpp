@@ -17,6 +17,13 @@ using namespace sw;
 using namespace test;
 
 #ifdef __linux__
+TEST_CASE("a device without an end is no file to read, by name or as standard input") {
+    for (const char* device : {"/dev/zero", "/dev/full", "/dev/urandom"})
+        if (fs::exists(device))
+            CHECK(errorOf([=] { readFile(device); }) ==
+                  std::string(device) + ": is a device; expected a file");
+}
+
 TEST_CASE("a full device is an error with its reason") {
     // Our own device, never /dev/full: run by root, a library that replaces special files would
     // destroy the machine's. A user who may not create devices cannot rename in /dev either.

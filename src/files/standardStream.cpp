@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <io.h>
 #else
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -34,6 +35,15 @@ std::optional<int> standardStream(const std::filesystem::path& path) {
 std::FILE* openToRead(const std::filesystem::path& path) {
     if (const auto stream = standardStream(path)) return openCopy(*stream);
     return std::fopen(path.string().c_str(), "rb");
+}
+
+bool isDevice([[maybe_unused]] std::FILE* file) {
+#ifdef _WIN32
+    return false;
+#else
+    struct stat status {};
+    return fstat(fileno(file), &status) == 0 && S_ISCHR(status.st_mode) && !isatty(fileno(file));
+#endif
 }
 
 }  // namespace sw

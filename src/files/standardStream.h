@@ -13,4 +13,7 @@ std::optional<int> standardStream(const std::filesystem::path& path);
 /// fails.
 std::FILE* openToRead(const std::filesystem::path& path);
 
+/// Whether an open file is a device other than a terminal, such as /dev/zero, which has no end.
+bool isDevice(std::FILE* file);
+
 }  // namespace sw
