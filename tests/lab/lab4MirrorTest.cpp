@@ -85,10 +85,7 @@ World zigzag(int k, float r) {
 std::string zigzagHint(int k, const Color& got, const Color& unlit, World& world) {
     if (!newFault(got, unlit).empty()) return faultOfColor(got);
     if (const std::string hint = weightHint(reflection); !hint.empty()) return hint;
-    const std::vector<Ray> rays = world.rays();
-    // The second ray must be one that meets the second mirror.
-    const bool first = k > 1 && rays.size() == 2 && !isEmpty(rays[1]) &&
-                       (world.colorOf(rays[1], 9), world.rays().size() > 1);
+    const bool first = k > 1 && goesOnToAnother(world);
     if (first && agree(got, 0.5f * (unlit + sky)))
         return "only one of the mirrors counts, and behind it the sky shows: what a mirror shows "
                "may be a mirror again";

@@ -37,10 +37,7 @@ World panesUnderLid(int count, const Material& material) {
 std::string panesHint(int k, const Color& got, const Color& unlit, World& world) {
     if (!newFault(got, unlit).empty()) return faultOfColor(got);
     if (const std::string hint = weightHint(refraction); !hint.empty()) return hint;
-    const std::vector<Ray> rays = world.rays();
-    // The second ray must be one that meets the second pane.
-    const bool first = k > 1 && rays.size() == 2 && !isEmpty(rays[1]) &&
-                       (world.colorOf(rays[1], 9), world.rays().size() > 1);
+    const bool first = k > 1 && goesOnToAnother(world);
     if (first && agree(got, 0.25f * unlit + 0.75f * sky))
         return "only one of the panes counts, and behind it the sky shows: behind glass there may "
                "be glass";

@@ -118,6 +118,15 @@ inline bool isEmpty(const sw::Ray& ray) {
     return ray.dir.isZero() || !(ray.minT < ray.maxT);
 }
 
+/// True if exactly one ray followed the last one that the world was asked for, and that ray meets
+/// another surface itself.
+inline bool goesOnToAnother(World& world) {
+    const std::vector<sw::Ray> rays = world.rays();
+    if (rays.size() != 2 || isEmpty(rays[1])) return false;
+    world.colorOf(rays[1], 9);
+    return world.rays().size() > 1;
+}
+
 /// What a typical mistake gives, and what to say about it.
 struct Guess {
     sw::Vec3 wrong;
