@@ -23,12 +23,16 @@ public:
     };
 
     using Node = BvhNode;
+    using Run = BvhRun;
 
     Bvh() = default;
 
-    /// @param boxes     finite, at most 2^28; a primitive's number is its index here
-    /// @param leafSize  the most primitives per leaf, 1..8
-    /// @param threads   for building; the tree is the same for any number
+    /// @param boxes    finite, at most 2^28; a primitive's number is its index here
+    /// @param runs     what the boxes consist of, run by run. No leaf holds primitives of two runs;
+    ///                 in order() the leaves of each run stand together, run after run.
+    /// @param threads  for building; the tree is the same for any number
+    Bvh(std::span<const Bounds> boxes, std::span<const Run> runs, int threads = 1);
+    /// The same with a single run.
     explicit Bvh(std::span<const Bounds> boxes, int leafSize = 8, int threads = 1);
 
     /// The primitives' numbers in tree order: every leaf is a range of this.
@@ -47,8 +51,7 @@ public:
     /// Rounding never makes it miss a true intersection inside a box, for origins up to 2^127.
     /// @param leaf  bool(std::uint32_t first, std::uint32_t count, float& maxT): tests the
     ///              primitives order()[first .. first + count), sets maxT to a nearer hit's t;
-    ///              true ends the traversal. If it has a prefetch(first, count) const, that is
-    ///              called for leaves that may be visited soon.
+    ///              true ends the traversal
     /// Defined in bvhTraversal.h.
     template <typename Leaf>
     Cost traverse(const Ray& ray, Leaf&& leaf) const;

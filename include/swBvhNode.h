@@ -1,8 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace sw {
+
+/// Consecutive boxes of one kind.
+struct BvhRun {
+    std::size_t count;  ///< how many boxes
+    int leafSize;       ///< the most primitives per leaf, 1..8
+};
 
 /// A node of a Bvh: the boxes of its children. 256 bytes: four cache lines.
 struct alignas(64) BvhNode {

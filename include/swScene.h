@@ -51,6 +51,10 @@ public:
         return intersect(*ray, hit, any);
     }
 
+    /// Whether the ray hits anything with minT < t < maxT: faster than intersect(), as it need not
+    /// know what. For shadow rays.
+    bool isOccluded(const Ray& ray) const;
+
     /// Arranges the primitives for fast search. Otherwise the first query does so.
     void prepare() const;
 

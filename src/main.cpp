@@ -13,8 +13,7 @@ Color directLight(const Intersection& hit, const Scene& scene) {
         const Color scattered = hit.material.color.times(light.color);
         if (!(cosine > 0) || scattered.isZero()) continue;  // behind the surface, or black
 
-        Intersection blocker;
-        if (scene.intersect(hit.getShadowRay(light.position), blocker, true)) continue;
+        if (scene.isOccluded(hit.getShadowRay(light.position))) continue;
         sum += cosine * scattered;
     }
     return sum;

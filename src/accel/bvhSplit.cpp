@@ -140,7 +140,7 @@ SahSplitter::Split SahSplitter::findSplit(const Range& range) const {
 
 void SahSplitter::partition(const Split& split, const Range& range, Range& left,
                             Range& right) const {
-    if (split.axis < 0) return splitByNumber(range, left, right);
+    if (split.axis < 0) return splitAfter(range.count / 2, range, left, right);
     const Binning binning(range.centroids, split.bins);
     const Float keep = simd::broadcast(0), drop = emptyBox();
     const Float toLeft[2] = {drop, keep}, toRight[2] = {keep, drop};
@@ -163,10 +163,10 @@ void SahSplitter::partition(const Split& split, const Range& range, Range& left,
     right = {range.first + leftCount, range.count - leftCount, split.right, rightCentroids};
 }
 
-void SahSplitter::splitByNumber(const Range& range, Range& left, Range& right) const {
-    const std::uint32_t half = range.count / 2, first = range.first, count = range.count;
-    left = around(first, half);
-    right = around(first + half, count - half);
+void SahSplitter::splitAfter(std::uint32_t count, const Range& range, Range& left,
+                             Range& right) const {
+    left = around(range.first, count);
+    right = around(range.first + count, range.count - count);
 }
 
 }  // namespace sw::bvh

@@ -14,11 +14,10 @@
 // float before it was compared with maxT. The last product is rounded monotonically, so that all
 // of this holds when it underflows.
 //
-// A direction of +-0 has an infinite reciprocal: the products are +-inf, or NaN for an origin in
-// the plane. min() and max() below then return their second operand: the plane excludes nothing.
-// If the reciprocal of a denormal overflows, the entry uses FLT_MAX in its place (too early), the
-// exit infinity (too late). Directions beyond 2^126 have a less accurate reciprocal; no proof
-// there.
+// The reciprocal of a direction of 0 or of a small denormal overflows: the entry uses +-FLT_MAX in
+// its place (too early), the exit infinity (too late). For an origin in the plane the exit is NaN:
+// min() and max() below then return their second operand, and the plane excludes nothing.
+// Directions beyond 2^126 have a less accurate reciprocal; no proof there.
 //
 // Where minT < 0, t may be negative and a factor would work the wrong way: there the exit gets
 // |exit| margin added after the products, and FLT_MIN against underflow; the axis of an overflowed
@@ -28,8 +27,10 @@
 #include <bit>
 #include <cfloat>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
+#include "accel/filterRay.h"
 #include "accel/simd.h"
 #include "swBvh.h"
 
@@ -38,11 +39,6 @@ namespace {  // programs and library may be compiled for different machines: no 
 
 constexpr float slabMargin = 0x1p-20f;
 
-/// A little more than t, for comparisons with distances to boxes.
-inline float widened(float t) {
-    return t + std::fabs(t) * slabMargin;
-}
-
 /// A ray prepared for tests against eight boxes at a time.
 /// @tparam behind  whether minT is negative
 template <bool behind>
@@ -50,15 +46,12 @@ class RaySlabs {
 public:
     explicit RaySlabs(const Ray& ray) : minT(simd::broadcast(ray.minT)) {
         for (int i = 0; i < 3; ++i) {
-            const float d = ray.dir.m[i];
-            float entry = 1 / d, exit = behind ? entry : entry * (1 + slabMargin);
-            if (std::fabs(entry) > FLT_MAX && d != 0) {
-                entry = behind ? NAN : std::copysign(FLT_MAX, d);
-                if (behind) exit = NAN;
-            }
+            const float d = ray.dir.m[i], inverse = 1 / d;
+            const bool tooLarge = std::fabs(inverse) > FLT_MAX;
+            const float entry = !tooLarge ? inverse : behind ? NAN : std::copysign(FLT_MAX, d);
             origin[i] = simd::broadcast(ray.orig.m[i]);
             entryInverse[i] = simd::broadcast(entry);
-            exitInverse[i] = simd::broadcast(exit);
+            exitInverse[i] = simd::broadcast(behind ? entry : entry * (1 + slabMargin));
             entryPlane[i] = (std::signbit(d) ? i + 3 : i) * Bvh::width;
             exitPlane[i] = (std::signbit(d) ? i : i + 3) * Bvh::width;
             octant |= (std::signbit(d) ? 1u : 0u) << i;
@@ -91,15 +84,6 @@ private:
     std::ptrdiff_t entryPlane[3], exitPlane[3];
 };
 
-/// Fetches what will be visited soon: beyond a million primitives, most time goes into waiting for
-/// memory.
-template <typename Leaf>
-void prefetch(const Bvh::Node* nodes, std::uint32_t child, const Leaf& leaf) {
-    if (!BvhNode::isLeaf(child)) return simd::prefetch(nodes + child, sizeof(Bvh::Node));
-    if constexpr (requires { leaf.prefetch(child, child); })
-        leaf.prefetch(BvhNode::leafFirst(child), BvhNode::leafCount(child));
-}
-
 /// For every set of eight bits: the numbers of the bits that are set, three bits each.
 inline constexpr auto bitNumbers = [] {
     std::array<std::uint32_t, 1u << Bvh::width> table{};
@@ -114,8 +98,7 @@ inline constexpr auto bitNumbers = [] {
 class TraversalStack {
 public:
     bool empty() const { return size == 0; }
-
-    std::uint32_t top(int i) const { return children[size - i]; }
+    std::uint32_t top() const { return children[size - 1]; }
 
     /// Takes the top entry off.
     /// @param distance  receives where the ray enters its box
@@ -140,7 +123,8 @@ public:
         std::memcpy(children + size, &sortedChildren, sizeof sortedChildren);
         std::memcpy(distances + size, &sortedDistances, sizeof sortedDistances);
         size += std::popcount(hits) - 1;
-        return children[size];
+        // Not children[size]: it would have to be read back.
+        return node.child[order >> 3 * (31 - std::countl_zero(hits)) & 7];
 #else
         float distance[simd::lanes];
         std::memcpy(distance, &entry, sizeof distance);
@@ -161,6 +145,15 @@ private:
     float distances[capacity];
     int size = 0;
 };
+
+/// Whether origin and direction have no infinite or NaN coordinate: else the ray meets nothing.
+inline bool isFinite(const Ray& ray) {
+    static_assert(offsetof(Ray, dir) == 12 && offsetof(Ray, maxT) == 28);
+    simd::Float numbers;  // origin, direction, minT, maxT
+    std::memcpy(&numbers, &ray, sizeof numbers);
+    const simd::Float zero = numbers * 0;
+    return (simd::bits(zero <= zero) & 0x3f) == 0x3f;
+}
 
 template <bool behind, typename Leaf>
 Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
@@ -183,8 +176,8 @@ Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
             }
             if (hits != 0) {
                 child = stack.push(node, node.order[slabs.octant], hit, entry);
-                for (int i = std::popcount(hits); i > 1; --i)
-                    prefetch(nodes, stack.top(i - 1), leaf);
+                // In large scenes, most time goes into waiting for memory.
+                if (!BvhNode::isLeaf(stack.top())) simd::prefetch(nodes + stack.top(), sizeof node);
                 continue;
             }
         } else {
@@ -204,9 +197,7 @@ Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
 
 template <typename Leaf>
 Bvh::Cost Bvh::traverse(const Ray& ray, Leaf&& leaf) const {
-    float sum = 0;  // becomes NaN if a coordinate is infinite or NaN: such a ray meets nothing
-    for (int i = 0; i < 3; ++i) sum += 0 * ray.orig.m[i] + 0 * ray.dir.m[i];
-    if (nodes.empty() || sum != 0 || !(ray.minT < ray.maxT)) return {};
+    if (nodes.empty() || !isFinite(ray) || !(ray.minT < ray.maxT)) return {};
     if (ray.minT < 0) return traverseNodes<true>(nodes.data(), ray, leaf);
     return traverseNodes<false>(nodes.data(), ray, leaf);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-// Filters: which of eight shapes may a ray hit? They compute in float, eight shapes at a time, and
-// err on one side only: with margins for every rounding error, they never miss a shape that the
-// exact kernel would hit. What they let through goes to Sphere::intersect or Triangle::intersect.
+// Filters: which of eight shapes does a ray miss for certain, and which does it hit for certain?
+// They compute in float, eight shapes at a time, with margins for every rounding error. So they
+// never contradict the exact kernels, such as Sphere::intersect, which decide all other cases.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 #include "accel/filterRay.h"
 #include "accel/simd.h"
+#include "swCone.h"
 #include "swNumerics.h"
 
 namespace sw {
@@ -58,62 +59,126 @@ inline float longestComponent(const Vec3& e1, const Vec3& e2) {
     return std::max(num::maxAbs(e1), num::maxAbs(e2));
 }
 
-// Where a ray meets the planes of eight triangles v0 + v / det e1 + w / det e2, without divisions
-// (Moller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997). With components of
-// d up to 1, of s up to S and of the edges up to E, counting the roundings of each term gives
-// |error| <= 42u E^2 for det, 42u S E for v and w, 48u S E^2 for t.
+// What a filter says of eight shapes. `hit` is filled in only where a filter is asked for it.
+struct Verdict {
+    Mask missed, hit;
+};
+
+// Where a ray meets the planes of eight triangles, without divisions (Moller and Trumbore, Fast,
+// Minimum Storage Ray/Triangle Intersection, 1997). With g from the origin to the corner v0 and the
+// normal n = e1 x e2, the point at t = n.g / det, det = n.d, is v0 + v / det e1 + w / det e2 for
+// v = (g x d).e2 and w = -(g x d).e1. With components of d up to 1, of g up to G and of the edges
+// up to E, counting the roundings of each term gives |error| <= 42u G E for v and w.
 struct PlaneHits {
-    Float det, v, w;
-    Float detError, vwError;
-    Mask signKnown;  // of det; if it is not, nothing is rejected
-    Mask off;        // v < 0 or w < 0, or t outside the ray's range
+    Float det, v, w, t;
+    Float detError, vwError, tError;
+    Mask signKnown;  // of det; if it is not, nothing is known
 
-    PlaneHits(const FilterRay& ray, const Float3& v0, const Float3& e1, const Float3& e2,
-              const Float& extent) {
-        const Float3 d = spread(ray.dir);
-        const Float3 s = spread(ray.orig) - v0;
-        const Float3 p = cross(d, e2);
-        const Float3 q = cross(s, e1);
-        const Float signedDet = dot(e1, p);
+    // ng: n.g, and its error
+    PlaneHits(const FilterRay& ray, const Float3& g, const Float3& e1, const Float3& e2,
+              const Float3& n, const Float& extent, const Float& ng, const Float& ngError)
+        : tError(ngError) {
+        const Float3 d = spread(ray.dir), m = cross(g, d);
+        const Float signedDet = dot(n, d);
         det = abs(signedDet);
-        v = flipSign(dot(s, p), signedDet);
-        w = flipSign(dot(d, q), signedDet);
-        const Float t = flipSign(dot(e2, q), signedDet);
-
-        const Float area = largest(s) * extent;
-        const Float tError = bound(64, area * extent);
+        v = flipSign(dot(m, e2), signedDet);
+        w = broadcast(0) - flipSign(dot(m, e1), signedDet);
+        t = flipSign(ng, signedDet);
         detError = bound(64, extent * extent);
-        vwError = bound(64, area);
+        vwError = bound(64, largest(g) * extent);
         signKnown = det > detError;
-        // minT det <= t <= maxT det; the error of det counts at both ends.
+    }
+
+    // v < 0, w < 0, or t outside the ray's range: minT det <= t <= maxT det, where the error of det
+    // counts at both ends.
+    Mask off(const FilterRay& ray) const {
+        const Float none = broadcast(0) - vwError;
         const Float early = broadcast(ray.minT) * det - abs(broadcast(ray.minT)) * detError;
         const Float late = broadcast(ray.maxT) * (det + detError);
-        const Float none = broadcast(0) - vwError;
-        off = (none > v) | (none > w) | (early > t + tError) | (t - tError > late);
+        return (none > v) | (none > w) | (early > t + tError) | (t - tError > late);
+    }
+
+    // v > 0, w > 0 and t inside the range for certain. det > detError means an area that
+    // Triangle::intersect accepts.
+    Mask on(const FilterRay& ray) const {
+        const Float early = broadcast(ray.sureMinT()) * (det + detError);
+        const Float late = broadcast(ray.sureMaxT()) * (det - detError);
+        return signKnown & (v > vwError) & (w > vwError) & (t - tError > early) &
+               (late > t + tError);
     }
 };
 
-// Which of eight spheres of radius r >= 0 a ray cannot hit. f: from their centres to its origin.
-// The discriminant is b^2 - a (f.f - r^2); every product in it is at most a (f.f + r^2) and has
-// gone through at most 12 roundings, those of a, f and b included: 32u covers both terms.
-inline Mask spheresMissed(const FilterRay& ray, const Float3& f, const Float& r) {
-    const Float a = broadcast(ray.dirSquared);
-    const Float b = dot(f, spread(ray.dir));
-    const Float ff = dot(f, f);
-    const Float rr = r * r;
-    const Float sum = ff + rr;
-    const Mask missed = b * b + bound(32, a * sum) < a * (ff - rr);
+// The normal is computed here: the roundings add up to 42u E^2 for det and 48u G E^2 for n.g.
+inline Verdict judgeTriangles(const FilterRay& ray, const Float3& v0, const Float3& e1,
+                              const Float3& e2, const Float& extent, bool wantHit) {
+    const Float3 g = v0 - spread(ray.orig), n = cross(e1, e2);
+    const PlaneHits hits(ray, g, e1, e2, n, extent, dot(n, g),
+                         bound(64, largest(g) * (extent * extent)));
+    const Float sum = hits.v + hits.w, error = hits.detError + 2 * hits.vwError;
+    Verdict verdict{hits.signKnown & (hits.off(ray) | (sum > hits.det + error)), {}};
+    if (wantHit) verdict.hit = hits.on(ray) & (hits.det - error > sum);
+    return verdict;
+}
 
-    // Behind: the ray starts outside and moves away from the centre. |f| |d| <= (f.f + a) / 2.
+// Eight spheres. f: from their centres to the origin. The ray's line passes a centre at t = -k,
+// k = f.d / a, a = d.d, in the distance |p|, p = f + -k d. As |d| lies in [1/2, 1.74] and |f| is at
+// most 1.74 |k| + |p|, k is off by at most 19u |k| + 8u |p|, and p by 40u (|k| + |p|).
+inline Verdict judgeSpheres(const FilterRay& ray, const Float3& f, const Float& radius,
+                            bool wantHit) {
+    const Float3 d = spread(ray.dir);
+    const Float b = dot(f, d), ff = dot(f, f), r = abs(radius), rr = r * r;
+    const Float k = b * ray.inverseSquared;
+    const Float3 p = {f.x - k * d.x, f.y - k * d.y, f.z - k * d.z};
+    const Float pp = dot(p, p), slack = bound(48, abs(k) + r);
+    const Mask passes = pp > (r + slack) * (r + slack) * (1 + 8 * u);
+
+    // Behind: the ray starts outside and moves away from the centre.
     const Float start = broadcast(ray.minT >= 0 ? 0 : HUGE_VALF);
-    const Float error = bound(8, ff + a + r);
-    const Mask behind = (b > start + error) & (ff - rr > bound(8, sum));
+    const Float outside = ff - rr - bound(8, ff + rr);
+    const Mask behind = (k > start + slack) & (outside > broadcast(0));
 
-    // Beyond: every point of the sphere has a t of at least (-b - r |d|) / a, and |d| < 2.
-    const Float end = broadcast(ray.maxT) * a;
-    const Float nearest = broadcast(0) - b - 2 * r;
-    const Mask beyond = nearest - error > end * (1 + 8 * u);
-    return missed | behind | beyond;
+    // Beyond: every point of the sphere has a t of at least -k - r / |d|.
+    const Mask beyond = broadcast(0) - k - 2 * r - slack > broadcast(ray.maxT);
+    Verdict verdict{passes | behind | beyond, {}};
+    if (!wantHit) return verdict;
+
+    // Entered: from outside, not before (f.f - r^2) / -2b, and not after -k.
+    const Float least = r - slack;
+    verdict.hit = (radius > broadcast(0)) & (least > broadcast(0)) &
+                  (least * least * (1 - 8 * u) > pp) & (k + slack < broadcast(0)) &
+                  (outside > broadcast(ray.sureMinT()) * (slack - k) * (2 * ray.dirSquared)) &
+                  (broadcast(ray.sureMaxT()) > slack - k);
+    return verdict;
+}
+
+// The endless cylinder and the sphere around a cone.
+struct CylinderAround {
+    Vec3 center, axis;    // of the axis: its middle and its direction
+    float radius, reach;  // of the cylinder and of the sphere
+
+    // Rounding moves the centre by 2u max|center| at most, and the axis by u times its length at
+    // the ends: the radii make up for both.
+    explicit CylinderAround(const Cone& cone) {
+        const glm::dvec3 base = num::toDouble(cone.base), apex = num::toDouble(cone.apex);
+        const double height = glm::length(apex - base);
+        const double wide = std::max(std::fabs(cone.baseRadius), std::fabs(cone.apexRadius));
+        center = num::toFloat(0.5 * (base + apex));
+        axis = num::toFloat((apex - base) / height);
+        const double slack = 4 * u * (num::maxAbs(center) + height);
+        radius = static_cast<float>((wide + slack) * (1 + 4 * u));
+        reach = static_cast<float>((std::hypot(0.5 * height, wide) + slack) * (1 + 4 * u));
+    }
+};
+
+// Which of eight endless cylinders a ray's line cannot meet. f: from a point on the axis to the
+// ray's origin. The axis is |f.g| / |g| away from the line, where g = d x axis. With components of
+// d and of the axis up to 1 and of f up to F, |error| <= 36u F for f.g and 48u for g.g.
+inline Mask cylindersMissed(const FilterRay& ray, const Float3& f, const Float3& axis,
+                            const Float& radius) {
+    const Float3 g = cross(spread(ray.dir), axis);
+    const Float apart = abs(dot(f, g)) - bound(48, largest(f));
+    const Float gg = dot(g, g) + broadcast(64 * u);
+    return (apart > broadcast(0)) & (apart * apart > radius * radius * gg * (1 + 8 * u) + smallest);
 }
 
 }  // namespace

@@ -1,81 +1,177 @@
 #pragma once
 
+// Packets of up to eight shapes of one type, for a linear scan: with a dozen shapes that is faster
+// than any tree.
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "accel/filterRay.h"
-#include "accel/simd.h"
-#include "swSphere.h"
-#include "swTriangle.h"
-
-// Packets of up to eight shapes of one type, for a linear scan: with a dozen shapes that is faster
-// than any tree.
+#include "accel/shapeRows.h"
 
 namespace sw {
+namespace {
 
-/// Up to eight spheres.
-class SpherePacket {
+/// One bit for each shape.
+struct Candidates {
+    unsigned possible;  ///< what the ray may hit
+    unsigned certain;   ///< what it hits for certain, as far as asked for
+
+    Candidates(unsigned possible, unsigned certain) : possible(possible), certain(certain) {}
+    Candidates(const Verdict& verdict, unsigned used, bool wantHit)
+        : possible(used & ~bits(verdict.missed)), certain(wantHit ? used & bits(verdict.hit) : 0) {}
+};
+
+/// Up to eight shapes, and their filter.
+template <typename Shape>
+class Packet {
 public:
-    /// Up to this count a linear scan is as fast as a tree. Measured on scattered shapes: 48 to 64
-    /// spheres, 32 triangles.
-    static constexpr int linearLimit = 32;
-
-    /// Takes at most eight spheres.
-    /// @param all      the spheres
+    /// Takes at most eight shapes.
+    /// @param all      the shapes
     /// @param pending  the numbers of those to choose from; what is taken is removed
-    SpherePacket(std::span<const Sphere> all, std::vector<std::uint32_t>& pending);
+    Packet(std::span<const Shape> all, std::vector<std::uint32_t>& pending)
+        : used((1u << std::min<std::size_t>(pending.size(), lanes)) - 1), first(pending.front()) {
+        for (std::uint32_t i = 0; (used >> i & 1) != 0; ++i)
+            Rows<Shape>::write(all[first + i], Column<float>{rows + i, lanes});
+        pending.erase(pending.begin(), pending.begin() + std::popcount(used));
+    }
 
-    /// One bit for each sphere that the ray may hit.
-    unsigned candidates(const FilterRay& ray) const;
+    template <bool wantHit>
+    Candidates ask(const FilterRay& ray) const {
+        return Candidates(Rows<Shape>::judge(ray, rows, lanes, wantHit), used, wantHit);
+    }
 
-    /// The number of the sphere that a bit stands for.
-    std::uint32_t number(int bit) const { return numbers[static_cast<std::size_t>(bit)]; }
+    /// The number of the shape that a bit stands for.
+    std::uint32_t number(std::uint32_t bit) const { return first + bit; }
 
 private:
-    float center[3][simd::lanes] = {}, radius[simd::lanes] = {};
-    std::array<std::uint32_t, simd::lanes> numbers{};
-    unsigned used = 0;  // bits that stand for a sphere
+    float rows[Rows<Shape>::count * lanes] = {};
+    unsigned used;
+    std::uint32_t first;
+};
+
+/// Foreign primitives have no filter: each is a candidate.
+template <>
+class Packet<std::shared_ptr<Primitive>> {
+public:
+    Packet(std::span<const std::shared_ptr<Primitive>>, std::vector<std::uint32_t>& pending)
+        : first(pending.front()) {
+        pending.erase(pending.begin());
+    }
+    template <bool wantHit>
+    Candidates ask(const FilterRay&) const {
+        return {1, 0};
+    }
+    std::uint32_t number(std::uint32_t) const { return first; }
+
+private:
+    std::uint32_t first;
 };
 
 /// Up to eight triangles or parallelograms: pairs of triangles, as in walls and boxes.
-class TrianglePacket {
+template <>
+class Packet<Triangle> {
 public:
-    static constexpr int linearLimit = 32;
-
-    TrianglePacket(std::span<const Triangle> all, std::vector<std::uint32_t>& pending);
-    unsigned candidates(const FilterRay& ray) const;
-    std::uint32_t number(int bit) const { return numbers[static_cast<std::size_t>(bit)]; }
+    Packet(std::span<const Triangle> all, std::vector<std::uint32_t>& pending);
+    template <bool wantHit>
+    Candidates ask(const FilterRay& ray) const;
+    std::uint32_t number(std::uint32_t bit) const { return numbers[bit]; }
 
 private:
     void setEntry(std::size_t lane, const Triangle& triangle, int corner);
 
-    float v0[3][simd::lanes] = {}, e1[3][simd::lanes] = {}, e2[3][simd::lanes] = {};
-    float extent[simd::lanes] = {};
-    std::array<std::uint32_t, 2 * simd::lanes> numbers{};  // first triangles, then second ones
+    float v0[3][lanes] = {}, e1[3][lanes] = {}, e2[3][lanes] = {}, normal[3][lanes] = {};
+    float extent[lanes] = {};
+    std::array<std::uint32_t, 2 * lanes> numbers{};  // first triangles, then second ones
     unsigned used = 0;
 };
 
-/// Up to eight shapes without a filter: each is a candidate.
-class PlainPacket {
-public:
-    static constexpr int linearLimit = 1;  // a tree's boxes are the filter
+inline bool same(const Vec3& a, const Vec3& b) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
 
-    template <typename Shapes>
-    PlainPacket(const Shapes&, std::vector<std::uint32_t>& pending)
-        : first(pending.front()),
-          used((1u << std::min<std::size_t>(pending.size(), simd::lanes)) - 1) {
-        pending.erase(pending.begin(), pending.begin() + std::popcount(used));
+// Two triangles make a parallelogram if they share an edge, and the corner across from it, mirrored
+// at the edge's middle, is the other triangle's third vertex. Returns that corner, or -1.
+inline int parallelogramCorner(const Triangle& triangle, const Triangle& other) {
+    const auto& a = triangle.vertices;
+    const auto& b = other.vertices;
+    for (int i = 0; i < 9; ++i) {
+        const int corner = i / 3, far = i % 3;
+        const Vec3 &p = a[(corner + 1) % 3], &q = a[(corner + 2) % 3];
+        const Vec3 &r = b[(far + 1) % 3], &s = b[(far + 2) % 3];
+        if (!(same(p, r) && same(q, s)) && !(same(p, s) && same(q, r))) continue;
+        const glm::dvec3 mirrored = num::toDouble(p) + num::toDouble(q) - num::toDouble(a[corner]);
+        if (mirrored == num::toDouble(b[far])) return corner;
     }
-    unsigned candidates(const FilterRay&) const { return used; }
-    std::uint32_t number(int bit) const { return first + static_cast<std::uint32_t>(bit); }
+    return -1;
+}
 
-private:
-    std::uint32_t first;
-    unsigned used;
-};
+inline Packet<Triangle>::Packet(std::span<const Triangle> all,
+                                std::vector<std::uint32_t>& pending) {
+    for (std::size_t lane = 0; lane < lanes && !pending.empty(); ++lane) {
+        const Triangle& triangle = all[pending.front()];
+        numbers[lane] = pending.front();
+        used |= 1u << lane;
+        pending.erase(pending.begin());
+        int corner = -1;
+        const auto other = std::find_if(pending.begin(), pending.end(), [&](std::uint32_t i) {
+            return (corner = parallelogramCorner(triangle, all[i])) >= 0;
+        });
+        setEntry(lane, triangle, std::max(corner, 0));
+        if (other == pending.end()) continue;
+        numbers[lane + lanes] = *other;
+        used |= 1u << (lane + lanes);
+        pending.erase(other);
+    }
+}
 
+inline void Packet<Triangle>::setEntry(std::size_t lane, const Triangle& triangle, int corner) {
+    const Vec3& origin = triangle.vertices[corner];
+    const glm::dvec3 p = num::toDouble(origin);
+    const glm::dvec3 first = num::toDouble(triangle.vertices[(corner + 1) % 3]) - p;
+    const glm::dvec3 second = num::toDouble(triangle.vertices[(corner + 2) % 3]) - p;
+    const Vec3 edge1 = num::toFloat(first), edge2 = num::toFloat(second);
+    const Vec3 n = num::toFloat(cross(first, second));
+    for (int i = 0; i < 3; ++i) {
+        v0[i][lane] = origin[i];
+        e1[i][lane] = edge1[i];
+        e2[i][lane] = edge2[i];
+        normal[i][lane] = n[i];
+    }
+    extent[lane] = longestComponent(edge1, edge2);
+}
+
+// The first triangle is v + w <= 1; the second one is v + w >= 1, v <= 1 and w <= 1.
+template <bool wantHit>
+Candidates Packet<Triangle>::ask(const FilterRay& ray) const {
+    const Float3 g = loadRows(v0[0], lanes) - spread(ray.orig), n = loadRows(normal[0], lanes);
+    const Float e = load(extent);
+    // The normal is exact but for its last rounding and 2^-50 E^2. So a ray that starts next to the
+    // plane, as one that leaves it does, has the sign of n.g known.
+    const Float x = n.x * g.x, y = n.y * g.y, z = n.z * g.z;
+    const Float ngError =
+        bound(8, abs(x) + abs(y) + abs(z)) + bound(0x1p-22f, largest(g) * (e * e));
+    const PlaneHits hits(ray, g, loadRows(e1[0], lanes), loadRows(e2[0], lanes), n, e, x + y + z,
+                         ngError);
+    const Float sum = hits.v + hits.w, error = hits.detError + 2 * hits.vwError;
+    const Float most = hits.det + error, least = hits.det - error;
+    const Mask off = hits.off(ray);
+    const auto both = [](Mask first, Mask second) { return bits(first) | bits(second) << lanes; };
+    Candidates result(
+        used & ~both(hits.signKnown & (off | (sum > most)),
+                     hits.signKnown & (off | (least > sum) | (hits.v > most) | (hits.w > most))),
+        0);
+    if (wantHit) {
+        const Mask on = hits.on(ray);
+        result.certain = used & both(on & (least > sum),
+                                     on & (sum > most) & (least > hits.v) & (least > hits.w));
+    }
+    return result;
+}
+
+}  // namespace
 }  // namespace sw

@@ -10,6 +10,7 @@
 
 #include "accel/bvhBuild.h"
 #include "accel/bvhOrder.h"
+#include "accel/largePages.h"
 #include "swThreads.h"
 
 namespace sw {
@@ -61,9 +62,9 @@ Node emptyNode() {
 class Builder {
 public:
     // Where jobs is not null, ranges of at most jobLimit items become jobs.
-    Builder(const SahSplitter& splitter, std::uint32_t leafSize, std::uint32_t jobLimit,
+    Builder(const SahSplitter& splitter, const LeafRule& rule, std::uint32_t jobLimit,
             std::vector<Job>* jobs)
-        : splitter(splitter), leafSize(leafSize), jobLimit(jobLimit), jobs(jobs) {}
+        : splitter(splitter), rule(rule), jobLimit(jobLimit), jobs(jobs) {}
 
     std::vector<Node> nodes;
 
@@ -76,29 +77,35 @@ private:
     struct Child {
         Range range;
         SahSplitter::Split split;
-        float priority;  // the child with the highest is split next; negative: never
+        float priority;                // the child with the highest is split next; negative: never
+        std::uint32_t ofFirstRun = 0;  // not 0: split after these items
     };
+
+    bool isLeaf(const Range& range) const { return rule.allows(splitter.in(range)); }
 
     Child makeChild(const Range& range, int depth) const;
     int splitIntoChildren(const Range& range, int depth, std::array<Child, Bvh::width>& children);
     void fillNode(std::uint32_t index, const Range& range, int depth);
 
     const SahSplitter& splitter;
-    std::uint32_t leafSize, jobLimit;
+    const LeafRule& rule;
+    std::uint32_t jobLimit;
     std::vector<Job>* jobs;
 };
 
 Builder::Child Builder::makeChild(const Range& range, int depth) const {
     Child child{range, {}, -1};
     if (range.count == 1) return child;
+    const bool mustSplit = !isLeaf(range);
     if (depth >= depthOfHalving) {
-        if (range.count > leafSize) child.priority = static_cast<float>(range.count);
+        if (mustSplit) child.priority = static_cast<float>(range.count);
         return child;
     }
     const float area = splitter.area(range);
+    if (mustSplit && range.count <= rule.largest())  // 0 if all are of one run, but too many
+        child.ofFirstRun = rule.sortByRun(splitter.in(range)) % range.count;
     child.split = splitter.findSplit(range);
-    if (range.count > leafSize ||
-        child.split.cost + leafVisit * area < area * splitter.cost(range.count))
+    if (mustSplit || child.split.cost + leafVisit * area < area * splitter.cost(range.count))
         child.priority = area;
     return child;
 }
@@ -114,7 +121,10 @@ int Builder::splitIntoChildren(const Range& range, int depth,
         Child& widest = *std::max_element(children.begin(), children.begin() + n, before);
         if (widest.priority < 0) break;
         Range left, right;
-        splitter.partition(widest.split, widest.range, left, right);
+        if (widest.ofFirstRun > 0)
+            splitter.splitAfter(widest.ofFirstRun, widest.range, left, right);
+        else
+            splitter.partition(widest.split, widest.range, left, right);
         widest = makeChild(left, depth);
         children[static_cast<std::size_t>(n++)] = makeChild(right, depth);
     }
@@ -129,7 +139,7 @@ void Builder::fillNode(std::uint32_t index, const Range& range, int depth) {
     for (int i = 0; i < n; ++i) {
         const Range& r = children[static_cast<std::size_t>(i)].range;
         setBox(node, i, r.box);
-        if (r.count <= leafSize)
+        if (isLeaf(r))
             node.child[i] = BvhNode::leafBit | (r.count - 1) << BvhNode::sizeShift | r.first;
         else if (jobs && r.count <= jobLimit)
             jobs->push_back({r, depth + 1, index, i});
@@ -177,15 +187,14 @@ void inParallel(std::size_t n, int threads, const Work& work) {
 }
 
 // The jobs depend on the primitives alone, so the tree is the same for any number of threads.
-std::vector<Node> buildTree(SahSplitter& splitter, std::uint32_t leafSize, int threads) {
+std::vector<Node> buildTree(SahSplitter& splitter, const LeafRule& rule, int threads) {
     const Range all = splitter.whole();
     std::vector<Job> jobs;
-    Builder top(splitter, leafSize, all.count / jobsPerTree,
-                all.count < minParallel ? nullptr : &jobs);
+    Builder top(splitter, rule, all.count / jobsPerTree, all.count < minParallel ? nullptr : &jobs);
     top.build(all, 0);
     std::vector<std::vector<Node>> subtrees(jobs.size());
     inParallel(jobs.size(), threads, [&](std::size_t i) {
-        Builder builder(splitter, leafSize, 0, nullptr);
+        Builder builder(splitter, rule, 0, nullptr);
         builder.build(jobs[i].range, jobs[i].depth);
         subtrees[i] = std::move(builder.nodes);
     });
@@ -193,25 +202,42 @@ std::vector<Node> buildTree(SahSplitter& splitter, std::uint32_t leafSize, int t
     for (const auto& subtree : subtrees) count += subtree.size();
     std::vector<Node> nodes;
     nodes.reserve(count);
+    preferLargePages(nodes.data(), count * sizeof(Node));
     nodes.insert(nodes.end(), top.nodes.begin(), top.nodes.end());
     for (std::size_t i = 0; i < jobs.size(); ++i) append(nodes, subtrees[i], jobs[i]);
     return nodes;
 }
 
+// Gives every run its part of the order, and the leaves their new places there.
+std::vector<std::uint32_t> orderByRun(std::span<const Item> items, const LeafRule& rule,
+                                      std::vector<Node>& nodes) {
+    std::vector<std::uint32_t> next = rule.starts();
+    std::vector<std::uint32_t> place(items.size()), order(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        place[i] = next[rule.runOf(items[i].number())]++;
+        order[place[i]] = items[i].number();
+    }
+    for (Node& node : nodes)
+        for (std::uint32_t& child : node.child)
+            if (BvhNode::isLeaf(child))
+                child += place[BvhNode::leafFirst(child)] - BvhNode::leafFirst(child);
+    return order;
+}
+
 }  // namespace
 
-Bvh::Bvh(std::span<const Bounds> boxes, int leafSize, int threads) {
-    if (leafSize < 1 || leafSize > 8) throw std::invalid_argument("Bvh: leaf size not in 1..8");
+Bvh::Bvh(std::span<const Bounds> boxes, std::span<const Run> runs, int threads) {
+    const LeafRule rule(runs);
     if (boxes.size() > 1u << BvhNode::sizeShift)
         throw std::length_error("Bvh: more than 2^28 boxes");
     if (boxes.empty()) return;
     std::vector<Item> items = makeItems(boxes);
-    SahSplitter splitter(items, static_cast<std::uint32_t>(leafSize));
-    nodes = buildTree(splitter, static_cast<std::uint32_t>(leafSize), threads);
-    nodes.shrink_to_fit();
-    primitives.resize(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i)
-        primitives[i] = std::bit_cast<std::uint32_t>(items[i].lane[3]) & ~numberBit;
+    SahSplitter splitter(items, rule.largest());
+    nodes = buildTree(splitter, rule, threads);
+    primitives = orderByRun(items, rule, nodes);
 }
+
+Bvh::Bvh(std::span<const Bounds> boxes, int leafSize, int threads)
+    : Bvh(boxes, std::array{Run{boxes.size(), leafSize}}, threads) {}
 
 }  // namespace sw

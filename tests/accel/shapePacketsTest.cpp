@@ -42,7 +42,7 @@ std::vector<Triangle> room() {
 TEST_CASE("the ten triangles of a room take five lanes of one packet") {
     const std::vector<Triangle> walls = room();
     auto pending = numbersTo(walls.size());
-    const TrianglePacket packet(walls, pending);
+    const Packet<Triangle> packet(walls, pending);
     CHECK(pending.empty());
 }
 
@@ -54,28 +54,28 @@ TEST_CASE("triangles that make no parallelogram take a lane each") {
         triangles.emplace_back(v, Material());
     }
     auto pending = numbersTo(triangles.size());
-    const TrianglePacket first(triangles, pending);
+    const Packet<Triangle> first(triangles, pending);
     REQUIRE(pending == std::vector<std::uint32_t>{8});
-    const TrianglePacket second(triangles, pending);
+    const Packet<Triangle> second(triangles, pending);
     CHECK(pending.empty());
 }
 
 TEST_CASE("a ray in a room is tested against few shapes that it misses") {
     const std::vector<Triangle> walls = room();
     auto pending = numbersTo(walls.size());
-    const TrianglePacket packet(walls, pending);
+    const Packet<Triangle> packet(walls, pending);
     Random random(1);
     int candidates = 0, hits = 0;
     for (int i = 0; i < 10000; ++i) {
         const Ray ray(Vec3(0, 20, 0) + random.point(19), random.direction());
-        const unsigned found = packet.candidates(FilterRay(ray));
+        const unsigned found = packet.ask<false>(FilterRay(ray)).possible;
         candidates += std::popcount(found);
         for (std::size_t k = 0; k < walls.size(); ++k) {
             Intersection hit;
             if (!walls[k].intersect(ray, hit)) continue;
             ++hits;
             bool isCandidate = false;
-            for (int bit = 0; bit < 2 * simd::lanes; ++bit)
+            for (unsigned bit = 0; bit < 2 * simd::lanes; ++bit)
                 if ((found >> bit & 1) != 0) isCandidate |= packet.number(bit) == k;
             CHECK(isCandidate);
         }
@@ -89,11 +89,11 @@ TEST_CASE("a ray among spheres is tested against few shapes that it misses") {
     std::vector<Sphere> spheres;
     for (int i = 0; i < 8; ++i) spheres.emplace_back(random.point(5), 1.0f, Material());
     auto pending = numbersTo(spheres.size());
-    const SpherePacket packet(spheres, pending);
+    const Packet<Sphere> packet(spheres, pending);
     int candidates = 0, hits = 0;
     for (int i = 0; i < 10000; ++i) {
         const Ray ray(random.point(8), random.direction());
-        candidates += std::popcount(packet.candidates(FilterRay(ray)));
+        candidates += std::popcount(packet.ask<false>(FilterRay(ray)).possible);
         for (const Sphere& sphere : spheres) {
             Intersection hit;
             hits += sphere.intersect(ray, hit);

@@ -47,6 +47,12 @@ public:
         return intersect(*ray, hit, any);
     }
 
+    /// Whether the ray hits anything with minT < t < maxT. For shadow rays.
+    bool isOccluded(const Ray& ray) const {
+        Intersection hit;
+        return intersect(ray, hit, true);
+    }
+
     /// Does what the first query would do; here, nothing.
     void prepare() const {}
 
