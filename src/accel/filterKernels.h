@@ -13,6 +13,8 @@
 #include "swCone.h"
 #include "swNumerics.h"
 
+// A filter has two answers, with one bit per shape: missed() for certain, and hit() for certain.
+
 namespace sw {
 namespace {  // compiled with fused multiply-adds or without them: no symbols to share
 
@@ -59,31 +61,35 @@ inline float longestComponent(const Vec3& e1, const Vec3& e2) {
     return std::max(num::maxAbs(e1), num::maxAbs(e2));
 }
 
-// What a filter says of eight shapes. `hit` is filled in only where a filter is asked for it.
-struct Verdict {
-    Mask missed, hit;
-};
-
 // Where a ray meets the planes of eight triangles, without divisions (Moller and Trumbore, Fast,
 // Minimum Storage Ray/Triangle Intersection, 1997). With g from the origin to the corner v0 and the
 // normal n = e1 x e2, the point at t = n.g / det, det = n.d, is v0 + v / det e1 + w / det e2 for
 // v = (g x d).e2 and w = -(g x d).e1. With components of d up to 1, of g up to G and of the edges
-// up to E, counting the roundings of each term gives |error| <= 42u G E for v and w.
-struct PlaneHits {
-    Float det, v, w, t;
-    Float detError, vwError, tError;
-    Mask signKnown;  // of det; if it is not, nothing is known
+// up to E, counting the roundings of each term gives |error| <= 42u G E for v and w. If the normal
+// is computed in float, too, the roundings add up to 42u E^2 for det and 48u G E^2 for n.g.
+class TriangleFilter {
+public:
+    SW_INLINE TriangleFilter(const FilterRay& ray, const Float3& v0, const Float3& e1,
+                             const Float3& e2, const Float& extent)
+        : TriangleFilter(ray, v0 - spread(ray.orig), e1, e2, cross(e1, e2), extent) {
+        t = flipSign(dot(n, g), signedDet);
+        tError = bound(64, largest(g) * (extent * extent));
+    }
 
-    // ng: n.g, and its error
-    PlaneHits(const FilterRay& ray, const Float3& g, const Float3& e1, const Float3& e2,
-              const Float3& n, const Float& extent, const Float& ng, const Float& ngError)
-        : tError(ngError) {
+    unsigned missed() const { return bits(signKnown & (off() | (v + w > most()))); }
+    // det > detError means an area that Triangle::intersect accepts.
+    unsigned hit() const { return bits(on() & (least() > v + w)); }
+
+protected:
+    // The caller sets t and tError.
+    SW_INLINE TriangleFilter(const FilterRay& ray, const Float3& g, const Float3& e1,
+                             const Float3& e2, const Float3& n, const Float& extent)
+        : ray(ray), g(g), n(n) {
         const Float3 d = spread(ray.dir), m = cross(g, d);
-        const Float signedDet = dot(n, d);
+        signedDet = dot(n, d);
         det = abs(signedDet);
         v = flipSign(dot(m, e2), signedDet);
         w = broadcast(0) - flipSign(dot(m, e1), signedDet);
-        t = flipSign(ng, signedDet);
         detError = bound(64, extent * extent);
         vwError = bound(64, largest(g) * extent);
         signKnown = det > detError;
@@ -91,65 +97,71 @@ struct PlaneHits {
 
     // v < 0, w < 0, or t outside the ray's range: minT det <= t <= maxT det, where the error of det
     // counts at both ends.
-    Mask off(const FilterRay& ray) const {
+    Mask off() const {
         const Float none = broadcast(0) - vwError;
         const Float early = broadcast(ray.minT) * det - abs(broadcast(ray.minT)) * detError;
         const Float late = broadcast(ray.maxT) * (det + detError);
         return (none > v) | (none > w) | (early > t + tError) | (t - tError > late);
     }
-
-    // v > 0, w > 0 and t inside the range for certain. det > detError means an area that
-    // Triangle::intersect accepts.
-    Mask on(const FilterRay& ray) const {
+    // The opposite, for certain.
+    Mask on() const {
         const Float early = broadcast(ray.sureMinT()) * (det + detError);
         const Float late = broadcast(ray.sureMaxT()) * (det - detError);
         return signKnown & (v > vwError) & (w > vwError) & (t - tError > early) &
                (late > t + tError);
     }
+    // Bounds of v, w or their sum, for a comparison with det.
+    Float most() const { return det + (detError + 2 * vwError); }
+    Float least() const { return det - (detError + 2 * vwError); }
+
+    const FilterRay& ray;
+    Float3 g, n;
+    Float det, v, w, t;
+    Float detError, vwError, tError;
+    Float signedDet;
+    Mask signKnown;  // if not, nothing is known
 };
 
-// The normal is computed here: the roundings add up to 42u E^2 for det and 48u G E^2 for n.g.
-inline Verdict judgeTriangles(const FilterRay& ray, const Float3& v0, const Float3& e1,
-                              const Float3& e2, const Float& extent, bool wantHit) {
-    const Float3 g = v0 - spread(ray.orig), n = cross(e1, e2);
-    const PlaneHits hits(ray, g, e1, e2, n, extent, dot(n, g),
-                         bound(64, largest(g) * (extent * extent)));
-    const Float sum = hits.v + hits.w, error = hits.detError + 2 * hits.vwError;
-    Verdict verdict{hits.signKnown & (hits.off(ray) | (sum > hits.det + error)), {}};
-    if (wantHit) verdict.hit = hits.on(ray) & (hits.det - error > sum);
-    return verdict;
-}
-
 // Eight spheres. f: from their centres to the origin. The ray's line passes a centre at t = -k,
-// k = f.d / a, a = d.d, in the distance |p|, p = f + -k d. As |d| lies in [1/2, 1.74] and |f| is at
+// k = f.d / a, a = d.d, in the distance |p|, p = f - k d. As |d| lies in [1/2, 1.74] and |f| is at
 // most 1.74 |k| + |p|, k is off by at most 19u |k| + 8u |p|, and p by 40u (|k| + |p|).
-inline Verdict judgeSpheres(const FilterRay& ray, const Float3& f, const Float& radius,
-                            bool wantHit) {
-    const Float3 d = spread(ray.dir);
-    const Float b = dot(f, d), ff = dot(f, f), r = abs(radius), rr = r * r;
-    const Float k = b * ray.inverseSquared;
-    const Float3 p = {f.x - k * d.x, f.y - k * d.y, f.z - k * d.z};
-    const Float pp = dot(p, p), slack = bound(48, abs(k) + r);
-    const Mask passes = pp > (r + slack) * (r + slack) * (1 + 8 * u);
+class SphereFilter {
+public:
+    SW_INLINE SphereFilter(const FilterRay& ray, const Float3& f, const Float& radius)
+        : ray(ray), radius(radius), r(abs(radius)) {
+        const Float3 d = spread(ray.dir);
+        const Float ff = dot(f, f), rr = r * r;
+        k = dot(f, d) * ray.inverseSquared;
+        const Float3 p = {f.x - k * d.x, f.y - k * d.y, f.z - k * d.z};
+        pp = dot(p, p);
+        slack = bound(48, abs(k) + r);
+        outside = ff - rr - bound(8, ff + rr);
+    }
 
-    // Behind: the ray starts outside and moves away from the centre.
-    const Float start = broadcast(ray.minT >= 0 ? 0 : HUGE_VALF);
-    const Float outside = ff - rr - bound(8, ff + rr);
-    const Mask behind = (k > start + slack) & (outside > broadcast(0));
+    unsigned missed() const {
+        const Mask passes = pp > (r + slack) * (r + slack) * (1 + 8 * u);
+        // Behind: the ray starts outside and moves away from the centre.
+        const Float start = broadcast(ray.minT >= 0 ? 0 : HUGE_VALF);
+        const Mask behind = (k > start + slack) & (outside > broadcast(0));
+        // Beyond: every point of the sphere has a t of at least -k - r / |d|.
+        const Mask beyond = broadcast(0) - k - 2 * r - slack > broadcast(ray.maxT);
+        return bits(passes | behind | beyond);
+    }
 
-    // Beyond: every point of the sphere has a t of at least -k - r / |d|.
-    const Mask beyond = broadcast(0) - k - 2 * r - slack > broadcast(ray.maxT);
-    Verdict verdict{passes | behind | beyond, {}};
-    if (!wantHit) return verdict;
+    // Entered from outside, not before (f.f - r^2) / -2 f.d, and not after -k.
+    unsigned hit() const {
+        const Float least = r - slack, way = slack - k;
+        const Float early = broadcast(ray.sureMinT()) * way * (2 * ray.dirSquared);
+        return bits((radius > broadcast(0)) & (least > broadcast(0)) &
+                    (least * least * (1 - 8 * u) > pp) & (k + slack < broadcast(0)) &
+                    (outside > early) & (broadcast(ray.sureMaxT()) > way));
+    }
 
-    // Entered: from outside, not before (f.f - r^2) / -2b, and not after -k.
-    const Float least = r - slack;
-    verdict.hit = (radius > broadcast(0)) & (least > broadcast(0)) &
-                  (least * least * (1 - 8 * u) > pp) & (k + slack < broadcast(0)) &
-                  (outside > broadcast(ray.sureMinT()) * (slack - k) * (2 * ray.dirSquared)) &
-                  (broadcast(ray.sureMaxT()) > slack - k);
-    return verdict;
-}
+private:
+    const FilterRay& ray;
+    Float radius, r, k, pp, slack;
+    Float outside;  // positive: the origin is, for certain
+};
 
 // The endless cylinder and the sphere around a cone.
 struct CylinderAround {
@@ -170,16 +182,28 @@ struct CylinderAround {
     }
 };
 
-// Which of eight endless cylinders a ray's line cannot meet. f: from a point on the axis to the
-// ray's origin. The axis is |f.g| / |g| away from the line, where g = d x axis. With components of
-// d and of the axis up to 1 and of f up to F, |error| <= 36u F for f.g and 48u for g.g.
-inline Mask cylindersMissed(const FilterRay& ray, const Float3& f, const Float3& axis,
-                            const Float& radius) {
-    const Float3 g = cross(spread(ray.dir), axis);
-    const Float apart = abs(dot(f, g)) - bound(48, largest(f));
-    const Float gg = dot(g, g) + broadcast(64 * u);
-    return (apart > broadcast(0)) & (apart * apart > radius * radius * gg * (1 + 8 * u) + smallest);
-}
+// Eight cones by the cylinders and spheres around them. f: from their centres to the origin. The
+// axis is |f.g| / |g| away from the ray's line, where g = d x axis. With components of d and of the
+// axis up to 1 and of f up to F, |error| <= 36u F for f.g and 48u for g.g.
+class ConeFilter {
+public:
+    SW_INLINE ConeFilter(const FilterRay& ray, const Float3& f, const Float3& axis,
+                         const Float& radius, const Float& reach)
+        : sphere(ray, f, reach) {
+        const Float3 g = cross(spread(ray.dir), axis);
+        const Float apart = abs(dot(f, g)) - bound(48, largest(f));
+        const Float gg = dot(g, g) + broadcast(64 * u);
+        passes = (apart > broadcast(0)) &
+                 (apart * apart > radius * radius * gg * (1 + 8 * u) + smallest);
+    }
+
+    unsigned missed() const { return bits(passes) | sphere.missed(); }
+    unsigned hit() const { return 0; }  // never certain
+
+private:
+    SphereFilter sphere;
+    Mask passes;
+};
 
 }  // namespace
 }  // namespace sw

@@ -73,13 +73,13 @@ struct LeafTest {
     Search& search;
 
     bool operator()(std::uint32_t first, std::uint32_t count, float& maxT) const {
-        bool over = false;
-        std::apply(
-            [&](const auto&... set) {
-                ((first < set.endPlace() && (over = set.findInLeaf(search, first, count), true)) ||
-                 ...);
-            },
-            sets);
+        bool found = false, over = false;
+        const auto test = [&](const auto& set) {
+            if (found || first >= set.endPlace()) return;
+            found = true;
+            over = set.findInLeaf(search, first, count);
+        };
+        std::apply([&](const auto&... set) { (test(set), ...); }, sets);
         maxT = search.ray().maxT;
         return over;
     }

@@ -22,8 +22,10 @@ struct Candidates {
     unsigned certain;   ///< what it hits for certain, as far as asked for
 
     Candidates(unsigned possible, unsigned certain) : possible(possible), certain(certain) {}
-    Candidates(const Verdict& verdict, unsigned used, bool wantHit)
-        : possible(used & ~bits(verdict.missed)), certain(wantHit ? used & bits(verdict.hit) : 0) {}
+    template <typename Filter>
+    Candidates(const Filter& filter, unsigned used, bool wantHit)
+        : possible(used & ~filter.missed()),
+          certain(wantHit && possible != 0 ? used & filter.hit() : 0) {}
 };
 
 /// Up to eight shapes, and their filter.
@@ -42,7 +44,7 @@ public:
 
     template <bool wantHit>
     Candidates ask(const FilterRay& ray) const {
-        return Candidates(Rows<Shape>::judge(ray, rows, lanes, wantHit), used, wantHit);
+        return Candidates(Rows<Shape>::filter(ray, rows, lanes), used, wantHit);
     }
 
     /// The number of the shape that a bit stands for.
@@ -146,31 +148,42 @@ inline void Packet<Triangle>::setEntry(std::size_t lane, const Triangle& triangl
 }
 
 // The first triangle is v + w <= 1; the second one is v + w >= 1, v <= 1 and w <= 1.
+// As a filter for parallelograms it tells of both triangles: the first one is v + w <= 1, the
+// second one v + w >= 1, v <= 1 and w <= 1. The normal is exact but for its last rounding and 2^-50
+// E^2. So a ray that starts next to the plane, as one that leaves it does, has the sign of n.g
+// known.
+class PairFilter : TriangleFilter {
+public:
+    PairFilter(const FilterRay& ray, const Float3& v0, const Float3& e1, const Float3& e2,
+               const Float3& n, const Float& extent)
+        : TriangleFilter(ray, v0 - spread(ray.orig), e1, e2, n, extent) {
+        const Float x = n.x * g.x, y = n.y * g.y, z = n.z * g.z;
+        t = flipSign(x + y + z, signedDet);
+        tError =
+            bound(8, abs(x) + abs(y) + abs(z)) + bound(0x1p-22f, largest(g) * (extent * extent));
+    }
+
+    unsigned missed() const {
+        const Mask out = off();
+        return both(signKnown & (out | (v + w > most())),
+                    signKnown & (out | (least() > v + w) | (v > most()) | (w > most())));
+    }
+    unsigned hit() const {
+        const Mask in = on();
+        return both(in & (least() > v + w), in & (v + w > most()) & (least() > v) & (least() > w));
+    }
+
+private:
+    static unsigned both(const Mask& first, const Mask& second) {
+        return bits(first) | bits(second) << lanes;
+    }
+};
+
 template <bool wantHit>
 Candidates Packet<Triangle>::ask(const FilterRay& ray) const {
-    const Float3 g = loadRows(v0[0], lanes) - spread(ray.orig), n = loadRows(normal[0], lanes);
-    const Float e = load(extent);
-    // The normal is exact but for its last rounding and 2^-50 E^2. So a ray that starts next to the
-    // plane, as one that leaves it does, has the sign of n.g known.
-    const Float x = n.x * g.x, y = n.y * g.y, z = n.z * g.z;
-    const Float ngError =
-        bound(8, abs(x) + abs(y) + abs(z)) + bound(0x1p-22f, largest(g) * (e * e));
-    const PlaneHits hits(ray, g, loadRows(e1[0], lanes), loadRows(e2[0], lanes), n, e, x + y + z,
-                         ngError);
-    const Float sum = hits.v + hits.w, error = hits.detError + 2 * hits.vwError;
-    const Float most = hits.det + error, least = hits.det - error;
-    const Mask off = hits.off(ray);
-    const auto both = [](Mask first, Mask second) { return bits(first) | bits(second) << lanes; };
-    Candidates result(
-        used & ~both(hits.signKnown & (off | (sum > most)),
-                     hits.signKnown & (off | (least > sum) | (hits.v > most) | (hits.w > most))),
-        0);
-    if (wantHit) {
-        const Mask on = hits.on(ray);
-        result.certain = used & both(on & (least > sum),
-                                     on & (sum > most) & (least > hits.v) & (least > hits.w));
-    }
-    return result;
+    const PairFilter filter(ray, loadRows(v0[0], lanes), loadRows(e1[0], lanes),
+                            loadRows(e2[0], lanes), loadRows(normal[0], lanes), load(extent));
+    return Candidates(filter, used, wantHit);
 }
 
 }  // namespace

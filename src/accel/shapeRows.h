@@ -47,9 +47,9 @@ struct Rows<Sphere> {
         sphere.center = from.point(0);
         sphere.radius = from[3];
     }
-    static Verdict judge(const FilterRay& ray, const float* row, std::size_t stride, bool wantHit) {
-        const Float3 f = spread(ray.orig) - loadRows(row, stride);
-        return judgeSpheres(ray, f, load(row + 3 * stride), wantHit);
+    SW_INLINE static SphereFilter filter(const FilterRay& ray, const float* row,
+                                         std::size_t stride) {
+        return {ray, spread(ray.orig) - loadRows(row, stride), load(row + 3 * stride)};
     }
 };
 
@@ -66,11 +66,12 @@ struct Rows<Triangle> {
     static void read(Column<const float> from, Triangle& triangle) {
         for (std::size_t i = 0; i < 3; ++i) triangle.vertices[i] = from.point(3 * i);
     }
-    static Verdict judge(const FilterRay& ray, const float* row, std::size_t stride, bool wantHit) {
+    SW_INLINE static TriangleFilter filter(const FilterRay& ray, const float* row,
+                                           std::size_t stride) {
         const Float3 v0 = loadRows(row, stride);
         const Float3 e1 = loadRows(row + 3 * stride, stride) - v0;
         const Float3 e2 = loadRows(row + 6 * stride, stride) - v0;
-        return judgeTriangles(ray, v0, e1, e2, load(row + 9 * stride), wantHit);
+        return {ray, v0, e1, e2, load(row + 9 * stride)};
     }
 };
 
@@ -87,8 +88,9 @@ struct Rows<Patch> {
         Rows<Triangle>::read(from, patch.triangle);
         for (std::size_t i = 0; i < 3; ++i) patch.normals[i] = from.point(normals + 3 * i);
     }
-    static Verdict judge(const FilterRay& ray, const float* row, std::size_t stride, bool wantHit) {
-        return Rows<Triangle>::judge(ray, row, stride, wantHit);
+    SW_INLINE static TriangleFilter filter(const FilterRay& ray, const float* row,
+                                           std::size_t stride) {
+        return Rows<Triangle>::filter(ray, row, stride);
     }
 };
 
@@ -114,13 +116,11 @@ struct Rows<Cone> {
         cone.apex = from.point(4);
         cone.apexRadius = from[7];
     }
-    static Verdict judge(const FilterRay& ray, const float* row, std::size_t stride, bool) {
+    SW_INLINE static ConeFilter filter(const FilterRay& ray, const float* row, std::size_t stride) {
         const float* first = row + cylinder * stride;
-        const Float3 f = spread(ray.orig) - loadRows(first, stride);
-        Verdict verdict = judgeSpheres(ray, f, load(first + 7 * stride), false);
-        verdict.missed |=
-            cylindersMissed(ray, f, loadRows(first + 3 * stride, stride), load(first + 6 * stride));
-        return verdict;
+        return {ray, spread(ray.orig) - loadRows(first, stride),
+                loadRows(first + 3 * stride, stride), load(first + 6 * stride),
+                load(first + 7 * stride)};
     }
 };
 

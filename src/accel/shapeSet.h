@@ -58,7 +58,7 @@ public:
     template <bool wantHit>
     Candidates ask(const FilterRay& ray, std::size_t first, std::uint32_t count) const {
         const float* row = rows.data() + Rows<Shape>::count * first;
-        return Candidates(Rows<Shape>::judge(ray, row, count, wantHit), (1u << count) - 1, wantHit);
+        return Candidates(Rows<Shape>::filter(ray, row, count), (1u << count) - 1, wantHit);
     }
 
     /// The i-th shape of a leaf, as it was.

@@ -15,6 +15,13 @@
 #define SW_SIMD_PERMUTE  // lanes can be permuted by numbers known only at run time
 #endif
 
+// For functions that hand over many vectors, which otherwise go through memory.
+#ifdef __GNUC__
+#define SW_INLINE __attribute__((always_inline)) inline
+#else
+#define SW_INLINE inline
+#endif
+
 namespace sw::simd {
 
 constexpr int lanes = 8;
