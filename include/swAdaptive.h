@@ -44,6 +44,9 @@ struct AdaptiveOptions {
     float targetRmse = 0;   ///< estimated, of the whole window; in the same unit
     double timeLimit = 0;   ///< seconds of wall time; see renderAdaptive()
     int maxSamples = 1024;  ///< per pixel: 1, 4, 8, 16, ..., at most 4096
+    /// Whether the result has `errors` and `sampleCounts`. They take 16 of its 28 bytes per pixel,
+    /// and where time is short for a huge picture, it goes into memory.
+    bool details = true;
     /// render.progress reports every pass, from its first tile to its last. render.stop ends the
     /// rendering as a time limit does.
     RenderOptions render = {};

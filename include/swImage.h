@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "swVec3.h"
+#include "swZeroMemory.h"
 
 namespace sw {
 
@@ -30,7 +31,7 @@ private:
 
     int columns;
     int rows;
-    std::vector<Color> pixels;
+    std::vector<Color, ZeroMemory<Color>> pixels;
 };
 
 /// A channel's linear radiance as a display shows it: clamped to 0..1. NaN becomes 0.

@@ -31,7 +31,8 @@ const Names values{"swVec3",
                    "swSampling",
                    "sampling/splitMix64",
                    "swStop",
-                   "swThreads"};
+                   "swThreads",
+                   "swZeroMemory"};
 const Names shapes{"swPrimitive", "swSphere", "swTriangle", "swCone", "swPatch"};
 const Names scene{"swBvh", "swBvhNode", "swScene"};
 
@@ -160,6 +161,18 @@ TEST_CASE("only the program and the tools know the command line") {
         if (layerOf(unit) < 6) CHECK(text.find("CLI/CLI.hpp") == std::string::npos);
         if (layerOf(unit) < 6) CHECK(text.find("nlohmann") == std::string::npos);
     }
+}
+
+// It takes 5 to 10 seconds in each file that includes it.
+TEST_CASE("one file of the tools alone includes CLI11") {
+    std::string found;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SW_PROJECT) / "src/tools")) {
+        const std::string place = entry.path().generic_string();
+        if (!entry.is_regular_file() || place.find("/tools/kit/") != std::string::npos) continue;
+        if (contentOf(entry.path()).find("#include <CLI") != std::string::npos)
+            found += entry.path().filename().string() + " ";
+    }
+    CHECK(found == "commandLine.cpp ");
 }
 
 TEST_CASE("the top folder of src holds few files") {

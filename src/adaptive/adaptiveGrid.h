@@ -10,6 +10,7 @@
 #include "adaptive/coarsePicture.h"
 #include "adaptive/timeShare.h"
 #include "swRenderer.h"
+#include "swZeroMemory.h"
 
 namespace sw {
 
@@ -69,9 +70,9 @@ private:
     const Window region;
     const RadianceAt& radiance;
     const RenderOptions& options;
-    std::vector<AdaptivePixel> pixels;
-    std::vector<float> errors;                   // squared
-    std::unique_ptr<std::atomic<bool>[]> stale;  // errors: the pixel or a neighbour has changed
+    std::vector<AdaptivePixel, ZeroMemory<AdaptivePixel>> pixels;
+    std::vector<float, ZeroMemory<float>> errors;  // squared
+    std::unique_ptr<std::atomic<bool>[]> stale;    // errors: the pixel or a neighbour has changed
     std::atomic<std::uint64_t> taken{0};
     std::mutex showing;
     RayCount traced;

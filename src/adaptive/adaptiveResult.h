@@ -8,15 +8,21 @@
 
 namespace sw {
 
-/// A picture, and how many samples each pixel has, row by row.
+/// A picture that is to be filled in.
 struct SampledPicture {
     RenderResult& result;
-    std::vector<int>& sampleCounts;
+    std::vector<int>& sampleCounts;  ///< row by row
+    bool details = true;             ///< whether errors and sampleCounts are wanted
+
+    std::size_t bytesPerPixel() const {
+        return sizeof(Color) + (details ? sizeof(Color) + sizeof(int) : 0);
+    }
 };
 
-/// Takes the memory for a picture. That is most of the work that is left at the end of a rendering:
-/// what works against a clock does it first.
-void makeBlank(const SampledPicture& picture, const Window& window);
+/// Makes all pixels black, with an error of zero.
+/// @return  how many seconds one thread takes to get a byte of memory from the system: for a huge
+///          picture, that is most of the time that is needed to fill it in
+double makeBlank(const SampledPicture& picture, const Window& window);
 
 /// Root mean square of the estimated errors of a window.
 double estimatedRmse(const AdaptiveGrid& grid, const Window& window);

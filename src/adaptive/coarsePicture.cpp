@@ -76,6 +76,9 @@ void CoarsePicture::addLevel(TimeShare& share) {
     mostThreads = std::max(mostThreads, sweep.threads);
     taken += ofLevel;
     if (coarser.side == 0) spreadColors();
+}
+
+void CoarsePicture::show() const {
     if (options.preview) options.preview(region, [this](int x, int y) { return at(x, y).color; });
 }
 

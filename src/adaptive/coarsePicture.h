@@ -7,6 +7,7 @@
 #include "adaptive/adaptivePixel.h"
 #include "adaptive/timeShare.h"
 #include "swRenderer.h"
+#include "swZeroMemory.h"
 
 namespace sw {
 
@@ -20,6 +21,8 @@ public:
 
     /// Samples the next level. What is missing of it when time is up shows the level before.
     void addLevel(TimeShare& share);
+    /// Hands all pixels to the preview, if there is one.
+    void show() const;
 
     /// Side of the last level's blocks, in pixels; 0 before there is any.
     int side() const { return finer.side; }
@@ -53,7 +56,7 @@ private:
         int side = 0;   // a power of 2 ...
         int shift = 0;  // ... and its logarithm
         int columns = 0, rows = 0;
-        std::vector<Block> blocks;
+        std::vector<Block, ZeroMemory<Block>> blocks;
 
         Level() = default;
         Level(const Window& region, int side);

@@ -55,8 +55,7 @@ public:
           margin(options.tolerance > 0 ? static_cast<int>(passThresholds.size()) + 1 : 1),
           region(within(grown(window, margin), width, height)),
           result{{Image(1, 1), Image(1, 1), {}, {}, {}}, {}, {}} {
-        makeBlank(picture, window);
-        memorySeconds = seconds();
+        secondsPerByte = makeBlank(picture, window);
     }
 
     AdaptiveResult run() {
@@ -84,8 +83,7 @@ private:
 
     // Makes the coarse picture finer until there is time for all pixels, or no more time. The first
     // level has some time in any case: there must be a picture. In the end, the result is filled
-    // in. That takes about half as long as it took to get its memory, and a block's error takes at
-    // most a twentieth of a sample's time.
+    // in.
     bool timeSufficesForAll() {
         coarse.emplace(region, radiance, options.render);
         do {
@@ -93,6 +91,7 @@ private:
             const bool isFirst = coarse->side() == 0;
             TimeShare share = shareUntil(secondsToFill(), isFirst ? 0.05 : 0);
             coarse->addLevel(share);
+            if (10 * resultSeconds() < options.timeLimit - seconds()) coarse->show();
             if (share.wasOver()) return false;
             // Pixels that are given up have a limit of their own, however many there are.
             const double wasted = share.secondsWasted() / coarse->threads();
@@ -101,32 +100,41 @@ private:
                                (static_cast<double>(region.width()) * region.height());
             const double left = options.timeLimit - seconds();
             const double forWaste = wasted > 0 ? left / 16 : 0;
-            // The grid takes three times the memory of the result; estimates take time as well.
-            if (1.3 * firstPassSeconds + 3 * memorySeconds + forWaste < left) return true;
+            // Estimates take time as well.
+            if (1.3 * firstPassSeconds + memorySeconds(sizeof(AdaptivePixel)) + resultSeconds() +
+                    forWaste <
+                left)
+                return true;
         } while (coarse->side() > 1 && hasTimeForNextLevel());
         return false;
     }
 
-    // With the coarse picture's next level.
-    double secondsToFill() const {
-        return memorySeconds / 2 + firstPassSeconds / 20 / std::max(coarse->side() / 2, 1);
+    // To get some bytes for every pixel of the region.
+    double memorySeconds(std::size_t bytes) const {
+        return secondsPerByte * static_cast<double>(bytes) * region.width() * region.height();
     }
-    // A block takes nearly as much memory as a pixel of the result, but a single thread gets it.
+    // To fill in the result. Memory takes most of it.
+    double resultSeconds() const { return 1.5 * memorySeconds(picture.bytesPerPixel()); }
+    // With the coarse picture's next level. A block's error takes at most a twentieth of a sample's
+    // time.
+    double secondsToFill() const {
+        return resultSeconds() + firstPassSeconds / 20 / std::max(coarse->side() / 2, 1);
+    }
     bool hasTimeForNextLevel() const {
         const double side = coarse->side() / 2;
-        return seconds() + 1.5 * memorySeconds / (side * side) + secondsToFill() <
-               options.timeLimit;
+        const double forBlocks = memorySeconds(sizeof(CoarsePicture::Block)) / (side * side);
+        return seconds() + forBlocks + secondsToFill() < options.timeLimit;
     }
 
     void sampleAll() {
         grid.emplace(region, radiance, options.render);
-        TimeShare first = shareUntil(0.3 * firstPassSeconds);
+        TimeShare first = shareUntil(0.3 * firstPassSeconds + resultSeconds());
         if (!grid->start(first, coarse ? &*coarse : nullptr)) return;
         passes = 1;
         bool over = first.wasOver();
         for (const float threshold : passThresholds) {
             // Time for the errors after the pass, and to fill in the result.
-            const double reserve = 2 * grid->secondsForErrors();
+            const double reserve = 2 * grid->secondsForErrors() + resultSeconds();
             if (over || limitReached(reserve)) return;
             TimeShare share = shareUntil(reserve);
             pass(threshold, share);
@@ -159,8 +167,8 @@ private:
     const int margin;
     const Window region;
     AdaptiveResult result;
-    const SampledPicture picture{result, result.sampleCounts};
-    double memorySeconds = 0;  // that it took to get the result's memory
+    const SampledPicture picture{result, result.sampleCounts, options.details};
+    double secondsPerByte = 0;  // to get memory from the system
     std::optional<CoarsePicture> coarse;
     double firstPassSeconds = 0;  // as expected from the coarse picture
     std::optional<AdaptiveGrid> grid;

@@ -6,6 +6,7 @@
 #include "app/statistics.h"
 #include "swAdaptive.h"
 #include "swCorners.h"
+#include "swFile.h"
 #include "swMetrics.h"
 #include "swSamplePattern.h"
 
@@ -20,6 +21,7 @@ std::optional<sw::RenderResult> renderOtherwise(
         limits.targetRmse = sampling.targetRmse;
         if (sampling.timeLimit > 0)
             limits.timeLimit = std::max(sampling.timeLimit - spent.total(), 1e-3);
+        limits.details = !sampling.stats.empty() || !sampling.errorImage.empty();
         limits.render = how;
         if (watch.showsPasses())
             limits.keepGoing = [&](const auto& progress) { return watch.passDone(progress); };
@@ -40,9 +42,18 @@ std::optional<sw::RenderResult> renderOtherwise(
 }
 
 void writeExtras(const Options& options, const sw::RenderResult& result, const StepTimes& times,
-                 const sw::Scene& scene) {
+                 const sw::Scene& scene, std::string failure) {
     const ExtraOptions& extra = options.extra;
-    if (!extra.errorImage.empty())
-        save(extra.errorImage, sw::encodePng(sw::heatMap(result.errors)));
-    if (!extra.stats.empty()) save(extra.stats, statsJson(options, result, times, scene));
+    const auto write = [&](const std::filesystem::path& name, const auto& content) {
+        if (name.empty()) return;
+        try {
+            save(name, content());
+        } catch (const sw::FileError& error) {
+            if (!failure.empty()) failure += "; ";
+            failure += error.what();
+        }
+    };
+    write(extra.errorImage, [&] { return sw::encodePng(sw::heatMap(result.errors)); });
+    write(extra.stats, [&] { return statsJson(options, result, times, scene); });
+    if (!failure.empty()) throw sw::FileError(failure);
 }

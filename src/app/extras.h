@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "app/options.h"
 #include "app/renderWatch.h"
@@ -17,7 +18,9 @@ std::optional<sw::RenderResult> renderOtherwise(
     const Options& options, const StepTimes& spent, RenderWatch& watch,
     const std::function<sw::Color(float x, float y)>& radiance);
 
-/// Writes statistics and error image, if the command line asks for them.
-/// @throws sw::FileError
+/// Writes statistics and error image, if the command line asks for them. One that fails does not
+/// keep the other from being written.
+/// @param failure  what went wrong with the picture; empty: nothing
+/// @throws sw::FileError that tells of every failure
 void writeExtras(const Options& options, const sw::RenderResult& result, const StepTimes& times,
-                 const sw::Scene& scene);
+                 const sw::Scene& scene, std::string failure);

@@ -1,25 +1,17 @@
 // checkFiles() of outputs.h.
 #include <cctype>
 #include <cerrno>
-#include <cstdlib>
-#include <exception>
 #include <fstream>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "app/outputs.h"
 #include "app/pictureFormat.h"
+#include "app/process.h"
 #include "files/failure.h"
 #include "files/target.h"
 #include "files/temporary.h"
 #include "swFile.h"
-
-#ifndef _WIN32
-#include <fcntl.h>
-#include <signal.h>
-#include <unistd.h>
-#endif
 
 namespace {
 
@@ -127,26 +119,6 @@ void requireOwnKind(const Output& output) {
     throw UsageError(std::string(output.option) + ": " + output.name.string() +
                      " exists and is no " + (json ? "JSON" : "picture") +
                      "; expected a new name (or --force to replace it)");
-}
-
-// A closed standard stream stays closed, instead of becoming the next file that is opened: open()
-// takes the lowest number that is free. A file that grows beyond the system's limit is an error,
-// not the end of the process. And where memory does not even suffice for an exception, there is a
-// word.
-void prepareProcess() {
-#ifndef _WIN32
-    std::set_terminate([] {
-        if (std::current_exception()) std::abort();
-        constexpr std::string_view line = "swtracer: too little memory\n";
-        _exit(write(2, line.data(), line.size()) < 0 ? 4 : 2);
-    });
-    for (const int stream : {0, 1, 2}) {
-        if (fcntl(stream, F_GETFD) >= 0) continue;
-        const int unusable = stream == 0 ? O_WRONLY : O_RDONLY;
-        if (open("/dev/null", unusable) < 0) break;
-    }
-    signal(SIGXFSZ, SIG_IGN);
-#endif
 }
 
 }  // namespace

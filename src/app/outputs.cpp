@@ -62,9 +62,12 @@ void save(const fs::path& file, const std::string& content) {
     }
 }
 
-void savePicture(const sw::Image& image, const Options& options) {
+std::string savePicture(const sw::Image& image, const Options& options) try {
     const PictureFormat format = formatOf(options.output).value_or(PictureFormat::png);
     save(options.output, encode(image, format, options.gamma));
+    return {};
+} catch (const sw::FileError& error) {
+    return error.what();
 }
 
 void printSummary(const std::string& line, const Options& options) {

@@ -23,8 +23,8 @@ void requireOutputs(const Options& options);
 void save(const std::filesystem::path& file, const std::string& content);
 
 /// Saves the picture in the form that its name says.
-/// @throws sw::FileError
-void savePicture(const sw::Image& image, const Options& options);
+/// @return  what went wrong; empty: nothing
+std::string savePicture(const sw::Image& image, const Options& options);
 
 /// Prints the summary: on stdout unless that takes an output.
 /// @throws sw::FileError

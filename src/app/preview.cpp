@@ -14,7 +14,7 @@ Preview::Preview(std::filesystem::path file, float gamma, const sw::Window& wind
       gamma(gamma),
       window(window),
       picture(window.width(), window.height()) {
-    for (int y = 0; y < window.height(); ++y)
+    for (int y = 0; y < window.height() && !background.isZero(); ++y)
         for (int x = 0; x < window.width(); ++x) picture.at(x, y) = background;
     try {
         writer = std::thread([this] { run(); });

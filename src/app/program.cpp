@@ -55,9 +55,9 @@ void Run::render(const rayTree::Trace& traceRay,
 
 void Run::write() {
     if (options.pixel) return print(pixelText);
-    savePicture(result->image, options);
+    const std::string failure = savePicture(result->image, options);
     seconds.write = watch.lap();
-    writeExtras(options, *result, seconds, file->scene);
+    writeExtras(options, *result, seconds, file->scene, failure);
     if (!options.quiet)
         printWarnings(describeFaults(result->image, options.crop->x0, options.crop->y0));
     if (!options.quiet) printSummary(summary(options, *result, seconds), options);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "files/openFile.h"
+
 #ifdef _WIN32
 #include <fcntl.h>
 #include <io.h>
@@ -34,7 +36,7 @@ std::optional<int> standardStream(const std::filesystem::path& path) {
 
 std::FILE* openToRead(const std::filesystem::path& path) {
     if (const auto stream = standardStream(path)) return openCopy(*stream);
-    return std::fopen(path.string().c_str(), "rb");
+    return openFile(path, "rb");
 }
 
 bool isDevice([[maybe_unused]] std::FILE* file) {

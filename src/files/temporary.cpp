@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "files/failure.h"
+#include "files/openFile.h"
 
 #ifdef _WIN32
 #include <process.h>
@@ -87,7 +88,7 @@ bool isOld(const fs::path& file) {
 
 Temporary::Temporary(const fs::path& target, const fs::path& named) : path(temporaryFor(target)) {
     errno = 0;
-    std::FILE* const file = std::fopen(path.string().c_str(), "wbx");  // no file that exists
+    std::FILE* const file = openFile(path, "wbx");  // no file that exists
     if (!file) failToWrite(named, reasonOf(errno));
     std::fclose(file);
 }

@@ -4,6 +4,7 @@ if(NOT SWTRACER_BUILD_REPORTS)
 endif()
 
 add_library(swtracer_tools STATIC
+  common/commandLine.cpp
   common/gnuplot.cpp
   common/machine.cpp
   common/mount.cpp
@@ -25,7 +26,7 @@ file(GLOB report_sources CONFIGURE_DEPENDS convergence/*.cpp stability/*.cpp)
 add_executable(swtracer-report report.cpp ${report_sources})
 set_target_properties(swtracer-report PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_link_libraries(swtracer-report PRIVATE
-  swtracer_main swtracer_tools swtracer_cli11 swtracer_warnings swtracer_exact_arithmetic)
+  swtracer_main swtracer_tools swtracer_warnings swtracer_exact_arithmetic)
 
 # `cmake --build build --target report` studies all shipped scenes: report/convergence/index.html.
 if(PROJECT_IS_TOP_LEVEL)

@@ -158,6 +158,17 @@ TEST_CASE("4 for a picture that is larger than any file may be before it is rend
     CHECK(folder.count() == 0);
 }
 
+TEST_CASE("4 for a picture that reaches the limit of a file's size while it is written") {
+    const TemporaryFolder folder;
+    const std::string work = "--size 99x99 --samples 1 -o a.png";
+    const std::size_t size = picture("--size 99x99 --samples 1").size();
+    REQUIRE(size > 3 * 1024);
+    for (std::size_t blocks = 1; blocks * 1024 < size; ++blocks)  // of 512 or 1024 bytes
+        checkFailure(folder, 4, work, "a.png: cannot write: ",
+                     "export TMPDIR=.; ulimit -f " + std::to_string(blocks) + "; ");
+    CHECK(folder.count() == 0);
+}
+
 TEST_CASE("a picture too large for memory is refused in one line") {
     // A gibibyte of address space holds the program, but not 3 GiB of pixels.
     const TemporaryFolder folder;

@@ -78,6 +78,41 @@ TEST_CASE("a picture whose place is taken or gone while it is rendered is saved 
     CHECK(saved.size() > 50);
 }
 
+TEST_CASE("one output that goes to its second name does not keep the others from being written") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "tmp");
+    const auto [taken, picture, errors, stats] =
+        GENERATE(table<std::string, std::string, std::string, std::string>(
+            {{"a.png", "a-1.png", "e.png", "s.json"},
+             {"e.png", "a.png", "e-1.png", "s.json"},
+             {"s.json", "a.png", "e.png", "s-1.json"},
+             {"a.png s.json", "a-1.png", "e.png", "s-1.json"},
+             {"a.png e.png s.json", "a-1.png", "e-1.png", "s-1.json"}}));
+    CAPTURE(taken);
+    const Run run =
+        spoiled(folder, "-o a.png --error-image e.png --stats s.json", "mkdir " + taken);
+    CAPTURE(run.err);
+    CHECK(run.code == 4);
+    CHECK(lines(run.err) == 2);  // the warning, the error
+    for (const std::string& name : {picture, errors, stats})
+        CHECK(has(run.err, name + "; ") + has(run.err, name + "\n") == has(name, "-1"));
+    CHECK(PngStructure(contentOf(folder / picture)).width == 99);
+    CHECK(PngStructure(contentOf(folder / errors)).width == 99);
+    CHECK(numberOf(contentOf(folder / stats), "width") == 99);
+}
+
+TEST_CASE("if no place is left for the picture, the statistics are written all the same") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "sub");
+    fs::create_directory(folder / "tmp");
+    const Run run = spoiled(folder, "-o sub/a.png --stats s.json", "rm -r sub tmp");
+    CAPTURE(run.err);
+    CHECK(run.code == 4);
+    CHECK(lines(run.err) == 2);
+    CHECK_FALSE(has(run.err, "what it should hold"));
+    CHECK(numberOf(contentOf(folder / "s.json"), "width") == 99);
+}
+
 #ifdef __linux__
 TEST_CASE("a file that is mounted gets the picture, and stays mounted") {
     const TemporaryFolder folder;

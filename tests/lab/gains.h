@@ -21,7 +21,7 @@ struct Mix {
 
 /// How much of what the other task's ray sees gets into the colour.
 inline float otherWeight(const Gain& gain, float w) {
-    Stage stage{gain, w};
+    Painted stage{gain, w};
     const sw::Color dark = stage.seen();
     stage.otherDark = false;
     const float weight = (stage.seen() - dark)[0] / sky[0];
@@ -31,12 +31,12 @@ inline float otherWeight(const Gain& gain, float w) {
 /// True if nothing of another task gets into a picture without lights: black is black, and this
 /// task's ray is the only one that is followed.
 inline bool isUndisturbed(const Gain& gain) {
-    const bool black = Stage{gain, 0, false, true, {0, 0, 0}}.seen().isZero();
+    const bool black = Painted{gain, 0, false, true, {0, 0, 0}}.seen().isZero();
     return black && otherWeight(gain, 0.5f) == 0;
 }
 
 inline Mix mixOf(const Gain& gain, float w, bool lit, int depth = 4) {
-    Stage stage{gain, 0, lit, true, paint, depth};
+    Painted stage{gain, 0, lit, true, paint, depth};
     Mix mix{w, stage.seen(), sky, {}, otherWeight(gain, w), {}};
     mix.otherBrought = stage.behind();
     stage.weight = w;
@@ -46,7 +46,7 @@ inline Mix mixOf(const Gain& gain, float w, bool lit, int depth = 4) {
 
 /// Light shows more, but a surface that shows no number in it (task 1) shows nothing of this task.
 inline bool lightHelps(const Gain& gain) {
-    return isNumber(Stage{gain, 0, true}.seen());
+    return isNumber(Painted{gain, 0, true}.seen());
 }
 
 inline std::vector<Mix> mixes(const Gain& gain) {

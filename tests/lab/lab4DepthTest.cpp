@@ -79,7 +79,7 @@ std::string depth0Hint(const Mix& mix, std::size_t rays) {
 TEST_CASE("at depth 0 a surface shows what it scatters and nothing more", "[lab4]") {
     const bool lit = lightHelps(reflection);
     for (const float r : {0.f, 0.25f, 0.75f}) {
-        Stage stage{reflection, 0, lit, true, paint, 4};
+        Painted stage{reflection, 0, lit, true, paint, 4};
         Mix mix{r, stage.seen(), sky, {}, otherWeight(reflection, r), {}};
         stage.depth = 0, stage.weight = r;
         mix.got = stage.seen();

@@ -66,7 +66,7 @@ TEST_CASE("without any depth left glass shows what it scatters and nothing more"
     const Color untraced = depth > 0 ? World().colorOf({{}, {0, 0, -1}}, depth - 1) : Color();
     const bool lit = lightHelps(refraction);
     for (const float t : {0.25f, 0.75f}) {
-        Stage stage{refraction, 0, lit, true, paint, 4};
+        Painted stage{refraction, 0, lit, true, paint, 4};
         Mix mix{t, stage.seen(), sky, {}, otherWeight(refraction, t), {}};
         stage.depth = depth, stage.weight = t;
         mix.got = stage.seen();

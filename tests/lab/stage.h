@@ -54,7 +54,7 @@ inline const Gain refraction{false, "refracted", "transparency", "that gets thro
 
 /// A painted surface at height 0 and an eye above it. The ray of this task sees the sky, the other
 /// task's ray a black pane: so that task's mistakes change next to nothing.
-struct Stage {
+struct Painted {
     const Gain& gain;
     float weight = 1;
     bool lit = false;                        ///< by a light at the eye
@@ -94,7 +94,7 @@ inline sw::Ray ownRay(const Gain& gain, bool mirrored) {
 
 /// That ray, or what is traced in its place because a surface has a weight; null if nothing is.
 inline std::unique_ptr<sw::Ray> followed(const Gain& gain) {
-    const Stage with{gain, 0.5f}, without{gain, 0};
+    const Painted with{gain, 0.5f}, without{gain, 0};
     with.seen(), without.seen();
     const sw::Vec3 own = ownRay(gain, gain.mirrored).dir;
     for (std::size_t i = 1; i < with.rays.size(); ++i)

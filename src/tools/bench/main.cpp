@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 
 #include "swFile.h"
 #include "tools/bench/parts.h"
 #include "tools/bench/picture.h"
+#include "tools/common/commandLine.h"
 #include "tools/common/machine.h"
 #include "tools/common/tool.h"
 
@@ -35,11 +35,11 @@ int main(int argc, char** argv) {
     bench::Setup setup;
     return report::runTool(
         argc, argv, "swtracer-bench",
-        "Compares run times and memory with other programs; prints ratios.", [&](CLI::App& app) {
-            app.add_flag("--quick", setup.quick, "only check that everything runs");
-            app.add_flag("--full", setup.full, "also models of 4 and 10 million triangles");
-            app.add_option("--output", setup.output, "folder for bench.json")
-                ->capture_default_str();
-            app.callback([&] { run(setup); });
+        "Compares run times and memory with other programs; prints ratios.",
+        [&](report::CommandLine line) {
+            line.addFlag("--quick", setup.quick, "only check that everything runs");
+            line.addFlag("--full", setup.full, "also models of 4 and 10 million triangles");
+            line.addFolder("--output", setup.output, "folder for bench.json");
+            line.setWork([&] { run(setup); });
         });
 }

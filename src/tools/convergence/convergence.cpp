@@ -1,6 +1,5 @@
 #include "tools/convergence/convergence.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +7,7 @@
 #include <set>
 
 #include "app/scenePath.h"
+#include "app/usage.h"
 #include "swFile.h"
 #include "tools/common/machine.h"
 #include "tools/common/tool.h"
@@ -53,9 +53,8 @@ void requireDifferentNames(const std::vector<fs::path>& scenes) {
     std::set<fs::path> names{"overview"};
     for (const fs::path& scene : scenes)
         if (!names.insert(scene.stem()).second)
-            throw CLI::ValidationError(
-                scene.string(), "expected scenes of different names, found '" +
-                                    scene.stem().string() + "' again (give the file another name)");
+            throw UsageError(scene.string() + ": expected scenes of different names, found '" +
+                             scene.stem().string() + "' again (give the file another name)");
 }
 
 std::vector<Study> studyAll(const std::vector<fs::path>& scenes, const StudyEffort& effort) {
@@ -101,20 +100,16 @@ void run(const ConvergenceOptions& options) {
 
 }  // namespace
 
-void addConvergence(CLI::App& app) {
+void addConvergence(CommandLine line) {
     const auto options = std::make_shared<ConvergenceOptions>();
-    CLI::App* command = app.add_subcommand(
+    CommandLine command = line.addCommand(
         "convergence", "Error against run time and samples, for all sampling methods.");
-    command->add_option("scenes", options->scenes, "scene files (default: all shipped scenes)");
-    command
-        ->add_option("-o,--output", options->output,
-                     "folder for index.html, convergence.csv and pictures")
-        ->capture_default_str();
-    command->add_option("--size", options->size, "pixels of the pictures' longer side")
-        ->check(CLI::Range(8, 2048))
-        ->capture_default_str();
-    command->add_flag("--quick", options->quick, "tiny pictures: only check that it works");
-    command->callback([options] { run(*options); });
+    command.addFiles("scenes", options->scenes, "scene files (default: all shipped scenes)");
+    command.addFolder("-o,--output", options->output,
+                      "folder for index.html, convergence.csv and pictures");
+    command.addSize("--size", options->size, 8, 2048, "pixels of the pictures' longer side");
+    command.addFlag("--quick", options->quick, "tiny pictures: only check that it works");
+    command.setWork([options] { run(*options); });
 }
 
 }  // namespace report

@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 
+#include "app/usage.h"
 #include "swFile.h"
-#include "tools/common/tool.h"
+#include "tools/common/commandLine.h"
 #include "tools/generators/scenes.h"
 
 namespace {
@@ -32,15 +32,14 @@ const Generator& generatorOf(const std::string& name) {
         if (name == g.name) return g;
         names += (names.empty() ? "" : ", ") + std::string(g.name);
     }
-    throw CLI::ValidationError("expected the name of a scene (" + names + "), found '" + name +
-                               "'");
+    throw UsageError("expected the name of a scene (" + names + "), found '" + name + "'");
 }
 
 void requireSize(const Generator& g, int size) {
     if (size < g.least || size > g.most)
-        throw CLI::ValidationError("--size: expected " + std::to_string(g.least) + " to " +
-                                   std::to_string(g.most) + " for " + g.name + ", found " +
-                                   std::to_string(size));
+        throw UsageError("--size: expected " + std::to_string(g.least) + " to " +
+                         std::to_string(g.most) + " for " + g.name + ", found " +
+                         std::to_string(size));
 }
 
 void run(const Options& options) {
@@ -59,12 +58,11 @@ int main(int argc, char** argv) {
     Options options;
     return report::runTool(
         argc, argv, "swtracer-scene", "Writes a scene that grows with its size, in NFF.",
-        [&](CLI::App& app) {
-            app.footer(listOfScenes());
-            app.add_option("name", options.name, "name of the scene")->required();
-            app.add_option("--size", options.size, "size of the scene");
-            app.add_option("-o,--output", options.output,
-                           "file to write; default: standard output");
-            app.callback([&] { run(options); });
+        [&](report::CommandLine line) {
+            line.setFooter(listOfScenes());
+            line.addRequired("name", options.name, "name of the scene");
+            line.addSize("--size", options.size, "size of the scene");
+            line.addFile("-o,--output", options.output, "file to write; default: standard output");
+            line.setWork([&] { run(options); });
         });
 }

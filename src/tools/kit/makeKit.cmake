@@ -27,9 +27,10 @@ set(left_out
   include/swAdaptive.h include/swBvh*.h include/swCone.h include/swCorners.h include/swMetrics.h
   include/swPatch.h include/swSamplePattern.h
   src/app/console.cpp src/app/extraOptions.cpp src/app/extras.cpp src/app/help.*
-  src/app/install.cmake src/app/interrupt.* src/app/outputChecks.cpp src/app/outputs.cpp
-  src/app/pictureFormat.* src/app/preview.* src/app/progressBar.* src/app/renderWatch.cpp
-  src/app/scenePath.cpp src/app/statistics.* src/app/terminal.* src/app/validators.cpp
+  src/app/commandLine.cmake src/app/install.cmake src/app/interrupt.* src/app/outputChecks.cpp src/app/outputs.cpp
+  src/app/pictureFormat.* src/app/preview.* src/app/process.* src/app/progressBar.*
+  src/app/renderWatch.cpp src/app/scenePath.cpp src/app/statistics.* src/app/terminal.*
+  src/app/validators.cpp
   src/nff/nffChecks.h src/nff/nffHints.h src/nff/nffMaterial.h src/nff/nffSkipped.h src/nff/nffText.h
   src/rayTree/darkness.cpp
   src/swCone.cpp src/swPatch.cpp src/swStop.cpp

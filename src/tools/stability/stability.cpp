@@ -1,6 +1,5 @@
 #include "tools/stability/stability.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -152,14 +151,13 @@ void run(const StabilityOptions& options) {
 
 }  // namespace
 
-void addStability(CLI::App& app) {
+void addStability(CommandLine line) {
     const auto options = std::make_shared<StabilityOptions>();
-    CLI::App* command = app.add_subcommand(
+    CommandLine command = line.addCommand(
         "stability", "Error against run time of intersection kernels, over hard cases.");
-    command->add_option("-o,--output", options->output, "folder for stability.csv, .svg and .png")
-        ->capture_default_str();
-    command->add_flag("--quick", options->quick, "few cases: only check that it works");
-    command->callback([options] { run(*options); });
+    command.addFolder("-o,--output", options->output, "folder for stability.csv, .svg and .png");
+    command.addFlag("--quick", options->quick, "few cases: only check that it works");
+    command.setWork([options] { run(*options); });
 }
 
 }  // namespace report

@@ -1,13 +1,11 @@
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "tools/common/commandLine.h"
 
 namespace report {
 
 /// Adds `stability`: error against run time of intersection kernels. Throws sw::FileError when
 /// the program runs it and its output cannot be written.
-void addStability(CLI::App& app);
+void addStability(CommandLine line);
 
 }  // namespace report

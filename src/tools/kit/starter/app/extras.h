@@ -18,4 +18,4 @@ inline std::optional<sw::RenderResult> renderOtherwise(
 }
 
 inline void writeExtras(const Options&, const sw::RenderResult&, const StepTimes&,
-                        const sw::Scene&) {}
+                        const sw::Scene&, const std::string&) {}

@@ -15,8 +15,9 @@ inline void requireOutputs(const Options& options) {
     sw::requireWritable(options.output);
 }
 
-inline void savePicture(const sw::Image& image, const Options& options) {
+inline std::string savePicture(const sw::Image& image, const Options& options) {
     sw::writePng(image, options.output, options.gamma);
+    return {};
 }
 
 inline void printSummary(const std::string& line, const Options&) {

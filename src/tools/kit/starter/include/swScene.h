@@ -39,8 +39,7 @@ public:
     const Color& background() const { return content->background; }
 
     /// Finds what the ray hits with minT < t < maxT.
-    /// @param hit  the nearest hit; with `any` just one of the hits; where there is none, its
-    ///             content means nothing
+    /// @param hit  the nearest hit; with `any` just one of the hits; undefined if there is none
     /// @param any  true: stop at the first hit found, as suits a shadow ray
     bool intersect(const Ray& ray, Intersection& hit, bool any = false) const;
     bool intersect(const Ray* ray, Intersection& hit, bool any = false) const {
@@ -55,7 +54,6 @@ public:
 
     /// Does what the first query would do; here, nothing.
     void prepare() const {}
-
     SceneParts parts() const;
 
 private:
