@@ -17,5 +17,5 @@ inline std::optional<sw::RenderResult> renderOtherwise(
     return std::nullopt;
 }
 
-inline void writeExtras(const Options&, const sw::RenderResult&, const StepTimes&,
-                        const sw::Scene&, const std::string&) {}
+inline void writeExtras(const Options&, const sw::RenderResult&, const StepTimes&, const sw::Scene&,
+                        const std::string&) {}
