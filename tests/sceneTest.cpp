@@ -84,6 +84,24 @@ TEST_CASE("an any-hit query returns one of the hits inside the interval") {
     CHECK(hitBy(scene, Ray(Vec3(0, 0, 10), Vec3(0, 0, -1), 0, 11), true) == -1);
 }
 
+TEST_CASE("of shapes hit at the same t the earlier type counts and then the one pushed first") {
+    const int others = GENERATE(0, 1000);  // a few are scanned, many are in a tree
+    const auto pushOthers = [&](Scene& scene) {
+        for (int i = 0; i < others; ++i)
+            scene.push(Sphere(Vec3(0.1f * static_cast<float>(i % 40), 3, -5), 0.5f, number(99)));
+    };
+    Scene scene;
+    scene.push(std::make_shared<Plane>(1.f, number(1)));
+    scene.push(tile(1, number(2)));
+    scene.push(tile(1, number(3)));
+    pushOthers(scene);
+    CHECK(hitBy(scene, downwards) == 2);
+    scene.push(Sphere(Vec3(0, 0, 0), 1, number(4)));
+    scene.push(Sphere(Vec3(0, 0, 0), 1, number(5)));
+    pushOthers(scene);
+    CHECK(hitBy(scene, downwards) == 4);
+}
+
 TEST_CASE("both lecture spellings of intersect give the same result") {
     const Scene scene = stack({0, 1, 2, 3});
     Intersection byReference, byPointer;

@@ -43,11 +43,8 @@ public:
         return testForNearer(*shape, place);
     }
 
-    /// For a hit that is certain and needs no record.
-    bool isOver() {
-        found = true;
-        return true;
-    }
+    /// Ends a search that needs no record.
+    bool end() { return found = true; }
     bool isFound() const { return found; }
 
     /// Puts the whole ray into the record. Returns whether there is a hit.

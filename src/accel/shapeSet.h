@@ -16,10 +16,10 @@ namespace sw {
 namespace {
 
 /// Tests candidates. Returns whether the search is over.
-/// @param get  (search, i): tests the i-th shape
+/// @param test  bool(std::uint32_t i): tests the i-th shape
 template <typename Search, typename Test>
 bool testEach(Search& search, const Candidates& candidates, const Test& test) {
-    if (Search::onlyWhether && candidates.certain != 0) return search.isOver();
+    if (Search::onlyWhether && candidates.certain != 0) return search.end();
     for (unsigned set = candidates.possible; set != 0; set &= set - 1)
         if (test(static_cast<std::uint32_t>(std::countr_zero(set)))) return true;
     return false;

@@ -110,6 +110,7 @@ std::string judge(const Mixture& m, const Ray& ray) {
     const bool foundAny = m.scene.intersect(ray, some, true);
     if (found == all.empty()) return describe("closest: found", found, "not", nearest, ray);
     if (foundAny == all.empty()) return describe("any: found", foundAny, "not", nearest, ray);
+    if (m.scene.isOccluded(ray) != foundAny) return describe("occluded: not", foundAny, ray);
     if (!found) return "";
     if (closest.hitT != nearest) return describe("t", closest.hitT, "not", nearest, ray);
     if (std::find(all.begin(), all.end(), some.hitT) == all.end())
