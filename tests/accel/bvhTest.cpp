@@ -78,6 +78,27 @@ TEST_CASE("every primitive lies in one leaf and every box in its parent's") {
     checkTree(Bvh(boxes, leafSize), boxes, leafSize);
 }
 
+TEST_CASE("no leaf holds primitives of two runs and each run has its part of the order") {
+    Random random(GENERATE(range(0u, 60u)));
+    const BvhRun runs[] = {{static_cast<std::size_t>(random.whole(0, 400)), 8},
+                           {static_cast<std::size_t>(random.whole(0, 400)), random.whole(1, 8)},
+                           {static_cast<std::size_t>(random.whole(0, 400)), 1}};
+    const std::size_t ends[] = {runs[0].count, runs[0].count + runs[1].count,
+                                runs[0].count + runs[1].count + runs[2].count};
+    const auto boxes = randomBoxes(random, static_cast<Kind>(0), static_cast<int>(ends[2]), 1);
+    const Bvh bvh(boxes, runs);
+    checkTree(bvh, boxes, 8);
+    int misplaced = 0, oversized = 0;
+    bvh.eachLeaf([&](std::uint32_t first, std::uint32_t count) {
+        const auto run = std::upper_bound(std::begin(ends), std::end(ends), first) - ends;
+        oversized += static_cast<int>(count) > runs[run].leafSize;
+        for (const std::uint32_t i : bvh.order().subspan(first, count))
+            misplaced += std::upper_bound(std::begin(ends), std::end(ends), i) - ends != run;
+    });
+    CHECK(misplaced == 0);
+    CHECK(oversized == 0);
+}
+
 TEST_CASE("no box that a ray meets is missed by rounding") {
     const auto seed = GENERATE(range(0u, 280u));
     Random random(seed);

@@ -102,3 +102,29 @@ TEST_CASE("a ray among spheres is tested against few shapes that it misses") {
     CHECK(hits > 500);
     CHECK(candidates <= hits + hits / 100);
 }
+
+TEST_CASE("a ray among cones is tested against few that it misses and all that it hits") {
+    Random random(3);
+    std::vector<Cone> cones;
+    for (int i = 0; i < 8; ++i)
+        cones.emplace_back(random.point(5), random.real(0, 0.3), random.point(5),
+                           random.real(0, 0.3), Material());
+    auto pending = numbersTo(cones.size());
+    const Packet<Cone> packet(cones, pending);
+    int candidates = 0, hits = 0, missing = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Ray ray(random.point(8), random.direction() * random.magnitude(1e-3, 1e3));
+        const unsigned found = packet.ask<false>(FilterRay(ray)).possible;
+        candidates += std::popcount(found);
+        for (unsigned k = 0; k < cones.size(); ++k) {
+            Intersection hit;
+            if (!cones[k].intersect(ray, hit)) continue;
+            ++hits;
+            missing += (found >> k & 1) == 0;
+        }
+    }
+    CAPTURE(candidates, hits);
+    CHECK(missing == 0);
+    CHECK(hits > 500);
+    CHECK(candidates <= 5 * hits / 2);
+}
