@@ -55,6 +55,8 @@ isThere() {
         benchmark) hasHeader benchmark/benchmark.h ;;
         embree) hasHeader embree3/rtcore.h || hasHeader embree4/rtcore.h ;;
         gnuplot) hasCommand gnuplot ;;
+        povray) hasCommand povray ;;
+        valgrind) hasCommand valgrind ;;
     esac
 }
 
@@ -94,6 +96,8 @@ packages() {
         embree:apt) echo libembree-dev ;;      embree:dnf) echo embree-devel ;;
         embree:*) echo embree ;;
         gnuplot:apt) echo gnuplot-nox ;;       gnuplot:*) echo gnuplot ;;
+        povray:*) echo povray ;;
+        valgrind:brew) ;;                      valgrind:*) echo valgrind ;;
     esac
 }
 
@@ -122,7 +126,8 @@ done
 tools="compiler cmake ninja"
 libraries="glm stb catch2 cli11 fast_float json"
 extras=
-[ $developer = no ] || extras="clang libc++ fuzzer clang-format ccache benchmark embree gnuplot"
+[ $developer = no ] || extras="clang libc++ fuzzer clang-format ccache benchmark embree gnuplot povray
+    valgrind"
 
 wanted=
 for item in $tools $libraries $extras; do

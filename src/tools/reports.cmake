@@ -3,16 +3,9 @@ if(NOT SWTRACER_BUILD_REPORTS)
   return()
 endif()
 
-add_library(swtracer_tools STATIC
-  common/commandLine.cpp
-  common/gnuplot.cpp
-  common/machine.cpp
-  common/mount.cpp
-  common/nffText.cpp
-  common/powerLaw.cpp
-  common/sphereflake.cpp
-  common/table.cpp
-  common/tool.cpp)
+file(GLOB tool_sources CONFIGURE_DEPENDS common/*.cpp common/scenes/*.cpp)
+list(FILTER tool_sources EXCLUDE REGEX "common/(html|mainFunctions)\\.cpp$")  # targets of their own
+add_library(swtracer_tools STATIC ${tool_sources})
 target_compile_definitions(swtracer_tools PRIVATE
   SW_BUILD_TYPE="$<IF:$<BOOL:$<CONFIG>>,$<CONFIG>,plain>")
 target_link_libraries(swtracer_tools PUBLIC swtracer_html swtracer_program libsw

@@ -1,6 +1,6 @@
 #include "app/programRun.h"
 #include "catch.h"
-#include "tools/generators/scenes.h"
+#include "tools/common/scenes/scenes.h"
 
 using namespace test;
 

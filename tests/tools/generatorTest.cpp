@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "swNff.h"
+#include "tools/common/scenes/scenes.h"
 #include "tools/generatedShapes.h"
-#include "tools/generators/scenes.h"
 
 using namespace test;
 

@@ -2,7 +2,7 @@
 #include "swCorners.h"
 #include "swNff.h"
 #include "tools/common/mainFunctions.h"
-#include "tools/generators/scenes.h"
+#include "tools/common/scenes/scenes.h"
 
 using namespace sw;
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "tools/common/scenes/scenes.h"
 #include "tools/generatedShapes.h"
-#include "tools/generators/scenes.h"
 
 using namespace test;
 

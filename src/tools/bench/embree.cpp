@@ -10,7 +10,10 @@ namespace {
 
 class Embree : public Yardstick {
 public:
-    explicit Embree(const Model& source) : model(source), device(startEmbree()) {
+    Embree(const Model& source, bool watertight)
+        : model(source),
+          flags(watertight ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE),
+          device(startEmbree()) {
         rtcSetDeviceMemoryMonitorFunction(device, count, &memory);
     }
     ~Embree() override {
@@ -23,6 +26,7 @@ public:
     void build() override {
         if (scene) rtcReleaseScene(scene);
         scene = rtcNewScene(device);
+        rtcSetSceneFlags(scene, flags);
         const RTCGeometry geometry = model.balls.empty() ? mesh() : spheres();
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene, geometry);
@@ -69,6 +73,7 @@ private:
 
     std::atomic<std::ptrdiff_t> memory{0};
     const Model& model;
+    RTCSceneFlags flags;
     RTCDevice device;
     RTCScene scene = nullptr;
 };
@@ -81,8 +86,8 @@ RTCDevice startEmbree() {
     return device;
 }
 
-std::unique_ptr<Yardstick> makeYardstick(const Model& model) {
-    return std::make_unique<Embree>(model);
+std::unique_ptr<Yardstick> makeYardstick(const Model& model, bool watertight) {
+    return std::make_unique<Embree>(model, watertight);
 }
 
 }  // namespace bench

@@ -2,7 +2,7 @@
 
 #include "swNff.h"
 #include "tools/bench/parts.h"
-#include "tools/common/mount.h"
+#include "tools/common/scenes/scenes.h"
 
 namespace bench {
 namespace {

@@ -3,7 +3,7 @@
 
 namespace bench {
 
-std::unique_ptr<Yardstick> makeYardstick(const Model&) {
+std::unique_ptr<Yardstick> makeYardstick(const Model&, bool) {
     return nullptr;
 }
 

@@ -28,6 +28,11 @@ using report::Times;
 /// The default lab picture, against the original's way and Embree; two threads against one.
 void compareLab(const Setup& setup, Lines& lines);
 
+bool isPovRayInstalled();
+
+/// Scenes of swtracer-scene, traced by POV-Ray where it is installed.
+void comparePovRay(const Setup& setup, Lines& lines);
+
 /// Build time, memory and rays per second of large models, against Embree.
 void compareModels(const Setup& setup, Lines& lines);
 

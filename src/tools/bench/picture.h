@@ -4,8 +4,9 @@
 #include <memory>
 
 #include "swImage.h"
+#include "swNff.h"
 
-/// The default lab picture, rendered in several ways.
+/// Pictures, rendered in several ways. Without a scene: the lab's, of the given size.
 namespace bench {
 
 constexpr int labSamples = 3, labDepth = 3;
@@ -14,7 +15,7 @@ constexpr int labSamples = 3, labDepth = 3;
 using Radiance = std::function<sw::Color(int x, int y)>;
 
 /// With the functions of our program.
-Radiance ourPicture(int size);
+Radiance ourPicture(sw::NffScene file, int size, int samples, int depth);
 
 /// As in the original lab program: virtual calls, textbook kernels, the scene passed by value.
 Radiance originalsPicture(int size);

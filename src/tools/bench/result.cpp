@@ -26,6 +26,10 @@ std::string describe(const std::optional<bool>& met) {
     return !met ? "" : *met ? "yes" : "no";
 }
 
+std::string describe(const std::optional<double>& ratio) {
+    return ratio ? threeDigits(*ratio) : "";
+}
+
 Json asJson(const Line& line) {
     Json json{{"what", line.what}, {"other", line.other},   {"unit", line.unit},
               {"ours", line.ours}, {"theirs", line.theirs}, {"ratio", line.ratio}};
@@ -33,6 +37,8 @@ Json asJson(const Line& line) {
         json[line.target->kind == Target::atLeast ? "at_least" : "at_most"] = line.target->value;
         json["met"] = *line.met();
     }
+    if (line.misses) json["misses"] = *line.misses;
+    if (line.hits) json["hits"] = *line.hits;
     return json;
 }
 
@@ -44,11 +50,12 @@ std::optional<bool> Line::met() const {
 }
 
 std::string toTable(const Lines& lines) {
-    std::vector<Row> rows{{"what", "against", "unit", "ours", "other", "ratio", "target", "met"}};
+    std::vector<Row> rows{
+        {"what", "against", "unit", "ours", "other", "ratio", "target", "met", "misses", "hits"}};
     for (const Line& line : lines)
         rows.push_back({line.what, line.other, line.unit, threeDigits(line.ours),
                         threeDigits(line.theirs), threeDigits(line.ratio), describe(line.target),
-                        describe(line.met())});
+                        describe(line.met()), describe(line.misses), describe(line.hits)});
     return report::table(rows, 3);
 }
 

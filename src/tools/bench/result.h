@@ -21,6 +21,8 @@ struct Line {
     double theirs = 0;
     double ratio = 0;  ///< above 1: ours is better if the target is atLeast
     std::optional<Target> target = std::nullopt;
+    /// The ratio for the rays that hit nothing alone, and for the others.
+    std::optional<double> misses = std::nullopt, hits = std::nullopt;
 
     /// Nothing if there is no target.
     std::optional<bool> met() const;

@@ -21,7 +21,8 @@ public:
     virtual std::size_t bytes() const = 0;
 };
 
-/// Null if Embree is not installed.
-std::unique_ptr<Yardstick> makeYardstick(const Model& model);
+/// @param watertight  its robust mode: no ray slips between two triangles
+/// @return            null if Embree is not installed
+std::unique_ptr<Yardstick> makeYardstick(const Model& model, bool watertight);
 
 }  // namespace bench

@@ -15,6 +15,12 @@ CommandLine CommandLine::addCommand(const char* name, const char* text) {
     return CommandLine(*app.add_subcommand(name, text));
 }
 
+CommandLine CommandLine::addChoice(const char* name, bool& chosen, const char* text) {
+    CLI::App& choice = *app.add_subcommand(name, text)->fallthrough();
+    choice.callback([&chosen] { chosen = true; });  // before the work
+    return CommandLine(choice);
+}
+
 void CommandLine::addFlag(const char* name, bool& value, const char* text) {
     app.add_flag(name, value, text);
 }

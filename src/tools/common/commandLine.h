@@ -22,6 +22,8 @@ public:
 
     /// A command with options of its own. The command line must name one.
     CommandLine addCommand(const char* name, const char* text);
+    /// A command that may be left out. The options around it may come after it, too.
+    CommandLine addChoice(const char* name, bool& chosen, const char* text);
 
     void addFlag(const char* name, bool& value, const char* text);
     void addRequired(const char* name, std::string& value, const char* text);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ctime>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace report {
@@ -40,6 +41,14 @@ public:
         for (int i = 0; i < repetitions; ++i)
             for (std::size_t k = 0; k < contestants.size(); ++k)
                 times[k].push_back(contestants[k]());
+    }
+
+    /// Adds one that takes as long as two of them together. Returns its number.
+    std::size_t sum(std::size_t a, std::size_t b) {
+        std::vector<double> both = times[a];
+        for (std::size_t i = 0; i < both.size(); ++i) both[i] += times[b][i];
+        times.push_back(std::move(both));
+        return times.size() - 1;
     }
 
     /// Median time of a contestant.

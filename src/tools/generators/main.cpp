@@ -5,7 +5,7 @@
 #include "app/usage.h"
 #include "swFile.h"
 #include "tools/common/commandLine.h"
-#include "tools/generators/scenes.h"
+#include "tools/common/scenes/scenes.h"
 
 namespace {
 

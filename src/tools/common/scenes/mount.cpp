@@ -1,4 +1,4 @@
-#include "tools/common/mount.h"
+#include "tools/common/scenes/scenes.h"
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 #include "tools/common/nffText.h"
+#include "tools/common/scenes/scenes.h"
 #include "tools/common/sphereflake.h"
-#include "tools/generators/scenes.h"
 
 namespace scenes {
 

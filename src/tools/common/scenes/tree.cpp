@@ -2,7 +2,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "tools/common/nffText.h"
-#include "tools/generators/scenes.h"
+#include "tools/common/scenes/scenes.h"
 
 namespace scenes {
 namespace {

@@ -1,7 +1,7 @@
 #include <array>
 
 #include "tools/common/nffText.h"
-#include "tools/generators/scenes.h"
+#include "tools/common/scenes/scenes.h"
 
 namespace scenes {
 namespace {

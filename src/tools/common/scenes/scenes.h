@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "tools/common/mount.h"
-
 /// Scenes that grow with a size, in Neutral File Format (swNff.h): the constructions of Eric
 /// Haines' Standard Procedural Databases (A Proposal for Standard Graphics Environments, IEEE
 /// Computer Graphics and Applications 7(11), 1987). The same size always gives the same text.
@@ -23,6 +21,9 @@ std::string balls(int size);
 
 /// A tetrahedron of tetrahedra of tetrahedra: 4^size equilateral triangles in the cube -1..1.
 std::string tetra(int size);
+
+/// A fractal mountain of 2 * 4^size triangles under four spheres of glass.
+std::string mount(int size);
 
 /// Layers of 1, 4, 9, ... objects of six rings before a wall; each ring is five cylinders that meet
 /// in spheres: 10 size (size + 1) (2 size + 1) shapes.
