@@ -1,15 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 namespace sw {
-
-/// Consecutive boxes of one kind.
-struct BvhRun {
-    std::size_t count;  ///< how many boxes
-    int leafSize;       ///< the most primitives per leaf, 1..8
-};
 
 /// A node of a Bvh: the boxes of its children. 256 bytes: four cache lines.
 struct alignas(64) BvhNode {
@@ -21,13 +14,17 @@ struct alignas(64) BvhNode {
     /// directions (bit i: component i is negative).
     std::uint32_t order[width];
 
-    // A child is a node's index, or the range of a leaf: its start in Bvh::order() and its
-    // size.
+    // A child is a node's index, or a leaf: its start in Bvh::order() and its size.
     static constexpr std::uint32_t leafBit = 1u << 31;
     static constexpr int sizeShift = 28;
+    static std::uint32_t leaf(std::uint32_t first, std::uint32_t count) {
+        return leafBit | (count - 1) << sizeShift | first;
+    }
     static bool isLeaf(std::uint32_t child) { return (child & leafBit) != 0; }
     static std::uint32_t leafFirst(std::uint32_t child) { return child & ((1u << sizeShift) - 1); }
     static std::uint32_t leafCount(std::uint32_t child) { return ((child >> sizeShift) & 7) + 1; }
+    /// Whether the i-th child is a leaf that a ray can meet.
+    bool hasLeaf(int i) const { return isLeaf(child[i]) && planes[0][i] <= planes[3][i]; }
 };
 
 }  // namespace sw

@@ -3,7 +3,6 @@
 // How a Bvh is built. A box is eight floats, {-min x, y, z, _, max x, y, z, _}, so that one maximum
 // unites two boxes.
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -12,19 +11,20 @@
 
 #include "accel/simd.h"
 #include "swBounds.h"
-#include "swBvhNode.h"
 
 namespace sw::bvh {
 
 using simd::Float;
 
-/// A primitive's box. The fourth lane holds its number with numberBit set: a small integer alone
-/// would be a denormal float, and arithmetic with those takes a hundred cycles.
+/// A primitive's box. The fourth and the last lane hold its number and its kind, both with
+/// numberBit set: a small integer alone would be a denormal float, whose arithmetic takes a hundred
+/// cycles.
 constexpr std::uint32_t numberBit = 1u << 30;
 struct alignas(32) Item {
     float lane[simd::lanes];
 
     std::uint32_t number() const { return std::bit_cast<std::uint32_t>(lane[3]) & ~numberBit; }
+    bool hasKindOf(const Item& other) const { return lane[7] == other.lane[7]; }
 };
 
 /// Consecutive items, the box around them, and the box around their centroids.
@@ -45,38 +45,16 @@ inline Float centroid(const Float& box) {
     return half - simd::swapHalves(half);
 }
 
-/// Which primitives may share a leaf: those of one run, up to its leaf size.
-class LeafRule {
-public:
-    explicit LeafRule(std::span<const BvhRun> runs);
-
-    std::uint32_t largest() const { return most; }  ///< leaf of any run
-    std::size_t runOf(std::uint32_t primitive) const {
-        return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), primitive) -
-                                        ends.begin());
-    }
-    bool allows(std::span<const Item> items) const;
-    /// Sorts items by their runs. Returns how many belong to the first one.
-    std::uint32_t sortByRun(std::span<Item> items) const;
-    /// Where each run starts in the tree's order.
-    std::vector<std::uint32_t> starts() const;
-
-private:
-    std::vector<std::uint32_t> ends, sizes;  // of the runs and of their leaves
-    std::uint32_t most = 1;
-};
-
 /// Splits ranges in two by the surface area heuristic (SAH).
 class SahSplitter {
 public:
-    /// @param leafSize  how many primitives are tested at once: the unit of cost
-    SahSplitter(std::span<Item> items, std::uint32_t leafSize) : items(items), leafSize(leafSize) {}
+    /// @param leafSize  how many primitives of one kind are tested at once: the unit of cost
+    SahSplitter(std::span<Item> items, std::uint32_t leafSize) : leafSize(leafSize), items(items) {}
 
-    /// The items of a range.
-    std::span<Item> in(const Range& range) const { return items.subspan(range.first, range.count); }
+    const std::uint32_t leafSize;
 
     struct Split {
-        int axis = -1;           ///< -1: none; halve the range by number
+        int axis = -1;           ///< -1: none
         int bin = 0;             ///< the last bin on the left
         int bins = 0;            ///< how many bins there are
         float cost = HUGE_VALF;  ///< sum over both sides of half area times cost
@@ -87,10 +65,11 @@ public:
     Range whole();
     /// The cheapest split; axis -1 where all centroids are alike.
     Split findSplit(const Range& range) const;
-    /// Reorders the items of the range: first those on the left, then those on the right.
+    /// Reorders the items of the range: first those on the left, then those on the right. Without
+    /// an axis, the range is split by kind if it would else be a leaf, or is halved by number.
     void partition(const Split& split, const Range& range, Range& left, Range& right) const;
-    /// Splits a range after its first items.
-    void splitAfter(std::uint32_t count, const Range& range, Range& left, Range& right) const;
+    /// Whether a leaf may hold the range.
+    bool isLeaf(const Range& range) const;
     float area(const Range& range) const { return halfArea(range.box, scale); }
 
     /// The cost of testing `count` primitives: leafSize of them cost no more than one.
@@ -99,11 +78,12 @@ public:
     }
 
 private:
+    std::span<Item> in(const Range& range) const { return items.subspan(range.first, range.count); }
     Range around(std::uint32_t first, std::uint32_t count) const;
+    void splitWithoutAxis(const Range& range, Range& left, Range& right) const;
     void sweep(const Float* boxes, const std::uint32_t* counts, int axis, Split& best) const;
 
     std::span<Item> items;
-    std::uint32_t leafSize;
     float scale = 1;
 };
 

@@ -132,7 +132,7 @@ SahSplitter::Split SahSplitter::findSplit(const Range& range) const {
     best.bins = binsFor(range.count);
     const Binning binning(range.centroids, best.bins);
     Bins bins;
-    fill(bins, best.bins, items.subspan(range.first, range.count), binning);
+    fill(bins, best.bins, in(range), binning);
     for (int axis = 0; axis < 3; ++axis)
         if (binning.separable[axis]) sweep(bins.box[axis], bins.count[axis], axis, best);
     return best;
@@ -140,13 +140,13 @@ SahSplitter::Split SahSplitter::findSplit(const Range& range) const {
 
 void SahSplitter::partition(const Split& split, const Range& range, Range& left,
                             Range& right) const {
-    if (split.axis < 0) return splitAfter(range.count / 2, range, left, right);
+    if (split.axis < 0) return splitWithoutAxis(range, left, right);
     const Binning binning(range.centroids, split.bins);
     const Float keep = simd::broadcast(0), drop = emptyBox();
     const Float toLeft[2] = {drop, keep}, toRight[2] = {keep, drop};
     Float leftCentroids = drop, rightCentroids = drop;
     Item* middle = &items[range.first];
-    for (Item& item : items.subspan(range.first, range.count)) {
+    for (Item& item : in(range)) {
         const Float box = simd::load(item.lane);
         const Float c = centroid(box);
         int bin[simd::lanes];
@@ -163,10 +163,22 @@ void SahSplitter::partition(const Split& split, const Range& range, Range& left,
     right = {range.first + leftCount, range.count - leftCount, split.right, rightCentroids};
 }
 
-void SahSplitter::splitAfter(std::uint32_t count, const Range& range, Range& left,
-                             Range& right) const {
+void SahSplitter::splitWithoutAxis(const Range& range, Range& left, Range& right) const {
+    std::uint32_t count = range.count / 2;
+    if (range.count <= leafSize && !isLeaf(range)) {
+        const Item first = items[range.first];
+        const auto end = std::partition(in(range).begin(), in(range).end(),
+                                        [&](auto& item) { return item.hasKindOf(first); });
+        count = static_cast<std::uint32_t>(end - in(range).begin());
+    }
     left = around(range.first, count);
     right = around(range.first + count, range.count - count);
+}
+
+bool SahSplitter::isLeaf(const Range& range) const {
+    return range.count <= leafSize &&
+           std::all_of(in(range).begin(), in(range).end(),
+                       [&](const Item& item) { return item.hasKindOf(items[range.first]); });
 }
 
 }  // namespace sw::bvh

@@ -18,10 +18,6 @@
 // its place (too early), the exit infinity (too late). For an origin in the plane the exit is NaN:
 // min() and max() below then return their second operand, and the plane excludes nothing.
 // Directions beyond 2^126 have a less accurate reciprocal; no proof there.
-//
-// Where minT < 0, t may be negative and a factor would work the wrong way: there the exit gets
-// |exit| margin added after the products, and FLT_MIN against underflow; the axis of an overflowed
-// reciprocal excludes nothing.
 
 #include <array>
 #include <bit>
@@ -40,18 +36,16 @@ namespace {  // programs and library may be compiled for different machines: no 
 constexpr float slabMargin = 0x1p-20f;
 
 /// A ray prepared for tests against eight boxes at a time.
-/// @tparam behind  whether minT is negative
-template <bool behind>
 class RaySlabs {
 public:
-    explicit RaySlabs(const Ray& ray) : minT(simd::broadcast(ray.minT)) {
+    explicit RaySlabs(const Ray& ray) : minT(simd::broadcast(std::max(ray.minT, 0.0f))) {
         for (int i = 0; i < 3; ++i) {
             const float d = ray.dir.m[i], inverse = 1 / d;
             const bool tooLarge = std::fabs(inverse) > FLT_MAX;
-            const float entry = !tooLarge ? inverse : behind ? NAN : std::copysign(FLT_MAX, d);
+            const float entry = tooLarge ? std::copysign(FLT_MAX, d) : inverse;
             origin[i] = simd::broadcast(ray.orig.m[i]);
             entryInverse[i] = simd::broadcast(entry);
-            exitInverse[i] = simd::broadcast(behind ? entry : entry * (1 + slabMargin));
+            exitInverse[i] = simd::broadcast(entry * (1 + slabMargin));
             entryPlane[i] = (std::signbit(d) ? i + 3 : i) * Bvh::width;
             exitPlane[i] = (std::signbit(d) ? i : i + 3) * Bvh::width;
             octant |= (std::signbit(d) ? 1u : 0u) << i;
@@ -71,9 +65,6 @@ public:
             entry = simd::max(enter * entryInverse[i], entry);
             exit = simd::min(leave * exitInverse[i], exit);
         }
-        if constexpr (behind)
-            exit =
-                exit + (simd::abs(exit) * simd::broadcast(slabMargin) + simd::broadcast(FLT_MIN));
         return entry <= exit;
     }
 
@@ -155,13 +146,12 @@ inline bool isFinite(const Ray& ray) {
     return (simd::bits(zero <= zero) & 0x3f) == 0x3f;
 }
 
-template <bool behind, typename Leaf>
-Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
-    const RaySlabs<behind> slabs(ray);
+// Visits what the ray reaches between t = max(0, minT) and the limit, an upper bound, widened.
+template <typename Leaf>
+SW_INLINE void traverseForwards(const Bvh::Node* nodes, const Ray& ray, float limit,
+                                Bvh::Cost& cost, const Leaf& leaf) {
+    const RaySlabs slabs(ray);
     TraversalStack stack;
-    Bvh::Cost cost;
-    float maxT = ray.maxT;
-    float limit = widened(maxT);
     std::uint32_t child = 0;
     for (;;) {
         if (!BvhNode::isLeaf(child)) {
@@ -182,24 +172,40 @@ Bvh::Cost traverseNodes(const Bvh::Node* nodes, const Ray& ray, Leaf& leaf) {
             }
         } else {
             cost.primitives += BvhNode::leafCount(child);
-            if (leaf(BvhNode::leafFirst(child), BvhNode::leafCount(child), maxT)) return cost;
-            limit = widened(maxT);
+            if (leaf(BvhNode::leafFirst(child), BvhNode::leafCount(child), limit)) return;
         }
         float distance;
         do {
-            if (stack.empty()) return cost;
+            if (stack.empty()) return;
             child = stack.pop(distance);
         } while (distance > limit);
     }
 }
 
+// Visits all that lies behind the origin: any of it may have the lowest t. Returns whether the
+// traversal is over.
+template <typename Leaf>
+SW_APART bool traverseBackwards(const Bvh::Node* nodes, const Ray& ray, float& limit,
+                                Bvh::Cost& cost, const Leaf& leaf) {
+    bool isOver = false;
+    const auto leafBehind = [&](std::uint32_t first, std::uint32_t count, float&) {
+        return isOver = leaf(first, count, limit);
+    };
+    const Ray back(ray.orig, ray.dir * -1.0f);
+    traverseForwards(nodes, back, widened(-ray.minT), cost, leafBehind);
+    return isOver;
+}
+
 }  // namespace
 
 template <typename Leaf>
-Bvh::Cost Bvh::traverse(const Ray& ray, Leaf&& leaf) const {
-    if (nodes.empty() || !isFinite(ray) || !(ray.minT < ray.maxT)) return {};
-    if (ray.minT < 0) return traverseNodes<true>(nodes.data(), ray, leaf);
-    return traverseNodes<false>(nodes.data(), ray, leaf);
+SW_INLINE Bvh::Cost Bvh::traverse(const Ray& ray, const Leaf& leaf) const {
+    Cost cost;
+    if (nodes.empty() || !isFinite(ray) || !(ray.minT < ray.maxT)) return cost;
+    float limit = widened(ray.maxT);
+    if (ray.minT < 0 && traverseBackwards(nodes.data(), ray, limit, cost, leaf)) return cost;
+    traverseForwards(nodes.data(), ray, limit, cost, leaf);
+    return cost;
 }
 
 }  // namespace sw

@@ -11,11 +11,10 @@
 
 namespace sw {
 
-/// The shapes of a scene. A few are scanned, packet by packet; many go into one tree.
+/// The shapes of a scene. A few are scanned; many go into one tree.
 ///
 /// Of several shapes hit at the same t, spheres come before triangles, cones, patches and foreign
-/// primitives; among those of one type, the one pushed first counts, and those without finite
-/// bounds come last.
+/// primitives; among those of one type, the one pushed first counts.
 class ShapeIndex {
 public:
     ShapeIndex();

@@ -1,10 +1,9 @@
 #pragma once
 
-// How the shapes of a leaf lie in memory. Memory decides how fast a large scene is. So only the
-// coordinates of a shape and the number of its material are kept, and within a leaf the x of all
-// shapes come first, then the y, and so on: a filter reads each row as one vector.
+// How the shapes of a block lie in memory. Memory decides how fast a large scene is. So only the
+// coordinates of a shape are kept, and within a block the x of all shapes come first, then the y,
+// and so on: a filter reads each row as one vector.
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -17,7 +16,7 @@
 namespace sw {
 namespace {
 
-/// One shape in the rows of its leaf: its k-th number is number k * stride.
+/// One shape in the rows of its block: its k-th number is number k * stride.
 template <typename Float>
 struct Column {
     Float* first;
@@ -30,14 +29,14 @@ struct Column {
     }
 };
 
-/// The rows of a type of shape. The last row holds the numbers of the materials.
+/// The rows of a type of shape.
 template <typename Shape>
 struct Rows;
 
 /// Centre, radius.
 template <>
 struct Rows<Sphere> {
-    static constexpr std::size_t count = 5;
+    static constexpr std::size_t count = 4;
 
     static void write(const Sphere& sphere, Column<float> to) {
         to.setPoint(0, sphere.center);
@@ -56,7 +55,7 @@ struct Rows<Sphere> {
 /// Three vertices, the edges' longest component.
 template <>
 struct Rows<Triangle> {
-    static constexpr std::size_t count = 11;
+    static constexpr std::size_t count = 10;
 
     static void write(const Triangle& triangle, Column<float> to) {
         const auto& v = triangle.vertices;
@@ -78,7 +77,7 @@ struct Rows<Triangle> {
 /// As a triangle, then the normals at the vertices.
 template <>
 struct Rows<Patch> {
-    static constexpr std::size_t normals = 10, count = 20;
+    static constexpr std::size_t normals = 10, count = 19;
 
     static void write(const Patch& patch, Column<float> to) {
         Rows<Triangle>::write(patch.triangle, to);
@@ -97,7 +96,7 @@ struct Rows<Patch> {
 /// Base and its radius, apex and its radius, the cylinder around.
 template <>
 struct Rows<Cone> {
-    static constexpr std::size_t cylinder = 8, count = 17;
+    static constexpr std::size_t cylinder = 8, count = 16;
 
     static void write(const Cone& cone, Column<float> to) {
         to.setPoint(0, cone.base);

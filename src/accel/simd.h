@@ -15,11 +15,14 @@
 #define SW_SIMD_PERMUTE  // lanes can be permuted by numbers known only at run time
 #endif
 
-// For functions that hand over many vectors, which otherwise go through memory.
+// For functions that hand over many vectors, which otherwise go through memory; and for those that
+// would take registers from the loop that calls them.
 #ifdef __GNUC__
 #define SW_INLINE __attribute__((always_inline)) inline
+#define SW_APART __attribute__((noinline))
 #else
 #define SW_INLINE inline
+#define SW_APART
 #endif
 
 namespace sw::simd {

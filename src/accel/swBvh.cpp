@@ -55,16 +55,15 @@ Node emptyNode() {
     Node node{};
     for (int i = 0; i < 6; ++i)
         std::fill_n(node.planes[i], Bvh::width, i < 3 ? Bounds::infinity : -Bounds::infinity);
-    std::fill_n(node.child, Bvh::width, BvhNode::leafBit);
+    std::fill_n(node.child, Bvh::width, BvhNode::leaf(0, 1));
     return node;
 }
 
 class Builder {
 public:
     // Where jobs is not null, ranges of at most jobLimit items become jobs.
-    Builder(const SahSplitter& splitter, const LeafRule& rule, std::uint32_t jobLimit,
-            std::vector<Job>* jobs)
-        : splitter(splitter), rule(rule), jobLimit(jobLimit), jobs(jobs) {}
+    Builder(const SahSplitter& splitter, std::uint32_t jobLimit, std::vector<Job>* jobs)
+        : splitter(splitter), jobLimit(jobLimit), jobs(jobs) {}
 
     std::vector<Node> nodes;
 
@@ -77,18 +76,14 @@ private:
     struct Child {
         Range range;
         SahSplitter::Split split;
-        float priority;                // the child with the highest is split next; negative: never
-        std::uint32_t ofFirstRun = 0;  // not 0: split after these items
+        float priority;  // the child with the highest is split next; negative: never
     };
-
-    bool isLeaf(const Range& range) const { return rule.allows(splitter.in(range)); }
 
     Child makeChild(const Range& range, int depth) const;
     int splitIntoChildren(const Range& range, int depth, std::array<Child, Bvh::width>& children);
     void fillNode(std::uint32_t index, const Range& range, int depth);
 
     const SahSplitter& splitter;
-    const LeafRule& rule;
     std::uint32_t jobLimit;
     std::vector<Job>* jobs;
 };
@@ -96,15 +91,14 @@ private:
 Builder::Child Builder::makeChild(const Range& range, int depth) const {
     Child child{range, {}, -1};
     if (range.count == 1) return child;
-    const bool mustSplit = !isLeaf(range);
+    const bool mustSplit = !splitter.isLeaf(range);
     if (depth >= depthOfHalving) {
         if (mustSplit) child.priority = static_cast<float>(range.count);
         return child;
     }
     const float area = splitter.area(range);
-    if (mustSplit && range.count <= rule.largest())  // 0 if all are of one run, but too many
-        child.ofFirstRun = rule.sortByRun(splitter.in(range)) % range.count;
-    child.split = splitter.findSplit(range);
+    const bool ofTwoKinds = mustSplit && range.count <= splitter.leafSize;
+    if (!ofTwoKinds) child.split = splitter.findSplit(range);
     if (mustSplit || child.split.cost + leafVisit * area < area * splitter.cost(range.count))
         child.priority = area;
     return child;
@@ -121,10 +115,7 @@ int Builder::splitIntoChildren(const Range& range, int depth,
         Child& widest = *std::max_element(children.begin(), children.begin() + n, before);
         if (widest.priority < 0) break;
         Range left, right;
-        if (widest.ofFirstRun > 0)
-            splitter.splitAfter(widest.ofFirstRun, widest.range, left, right);
-        else
-            splitter.partition(widest.split, widest.range, left, right);
+        splitter.partition(widest.split, widest.range, left, right);
         widest = makeChild(left, depth);
         children[static_cast<std::size_t>(n++)] = makeChild(right, depth);
     }
@@ -139,8 +130,8 @@ void Builder::fillNode(std::uint32_t index, const Range& range, int depth) {
     for (int i = 0; i < n; ++i) {
         const Range& r = children[static_cast<std::size_t>(i)].range;
         setBox(node, i, r.box);
-        if (isLeaf(r))
-            node.child[i] = BvhNode::leafBit | (r.count - 1) << BvhNode::sizeShift | r.first;
+        if (splitter.isLeaf(r))
+            node.child[i] = BvhNode::leaf(r.first, r.count);
         else if (jobs && r.count <= jobLimit)
             jobs->push_back({r, depth + 1, index, i});
         else
@@ -154,13 +145,15 @@ void Builder::fillNode(std::uint32_t index, const Range& range, int depth) {
             fillNode(node.child[i], children[static_cast<std::size_t>(i)].range, depth + 1);
 }
 
-std::vector<Item> makeItems(std::span<const Bounds> boxes) {
+std::vector<Item> makeItems(std::span<const Bounds> boxes, std::span<const std::uint32_t> kinds) {
     std::vector<Item> items(boxes.size());
+    const auto lane = [](std::size_t i) {
+        return std::bit_cast<float>(numberBit | static_cast<std::uint32_t>(i));
+    };
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Bounds& b = boxes[i];
-        items[i] = {{-b.min[0], -b.min[1], -b.min[2],
-                     std::bit_cast<float>(numberBit | static_cast<std::uint32_t>(i)), b.max[0],
-                     b.max[1], b.max[2], 0}};
+        items[i] = {{-b.min[0], -b.min[1], -b.min[2], lane(i), b.max[0], b.max[1], b.max[2],
+                     lane(kinds.empty() ? 0 : kinds[i])}};
     }
     return items;
 }
@@ -187,14 +180,14 @@ void inParallel(std::size_t n, int threads, const Work& work) {
 }
 
 // The jobs depend on the primitives alone, so the tree is the same for any number of threads.
-std::vector<Node> buildTree(SahSplitter& splitter, const LeafRule& rule, int threads) {
+std::vector<Node> buildTree(SahSplitter& splitter, int threads) {
     const Range all = splitter.whole();
     std::vector<Job> jobs;
-    Builder top(splitter, rule, all.count / jobsPerTree, all.count < minParallel ? nullptr : &jobs);
+    Builder top(splitter, all.count / jobsPerTree, all.count < minParallel ? nullptr : &jobs);
     top.build(all, 0);
     std::vector<std::vector<Node>> subtrees(jobs.size());
     inParallel(jobs.size(), threads, [&](std::size_t i) {
-        Builder builder(splitter, rule, 0, nullptr);
+        Builder builder(splitter, 0, nullptr);
         builder.build(jobs[i].range, jobs[i].depth);
         subtrees[i] = std::move(builder.nodes);
     });
@@ -208,36 +201,19 @@ std::vector<Node> buildTree(SahSplitter& splitter, const LeafRule& rule, int thr
     return nodes;
 }
 
-// Gives every run its part of the order, and the leaves their new places there.
-std::vector<std::uint32_t> orderByRun(std::span<const Item> items, const LeafRule& rule,
-                                      std::vector<Node>& nodes) {
-    std::vector<std::uint32_t> next = rule.starts();
-    std::vector<std::uint32_t> place(items.size()), order(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        place[i] = next[rule.runOf(items[i].number())]++;
-        order[place[i]] = items[i].number();
-    }
-    for (Node& node : nodes)
-        for (std::uint32_t& child : node.child)
-            if (BvhNode::isLeaf(child))
-                child += place[BvhNode::leafFirst(child)] - BvhNode::leafFirst(child);
-    return order;
-}
-
 }  // namespace
 
-Bvh::Bvh(std::span<const Bounds> boxes, std::span<const Run> runs, int threads) {
-    const LeafRule rule(runs);
+Bvh::Bvh(std::span<const Bounds> boxes, int leafSize, int threads,
+         std::span<const std::uint32_t> kinds) {
+    if (leafSize < 1 || leafSize > 8) throw std::invalid_argument("Bvh: leaf size not in 1..8");
     if (boxes.size() > 1u << BvhNode::sizeShift)
         throw std::length_error("Bvh: more than 2^28 boxes");
     if (boxes.empty()) return;
-    std::vector<Item> items = makeItems(boxes);
-    SahSplitter splitter(items, rule.largest());
-    nodes = buildTree(splitter, rule, threads);
-    primitives = orderByRun(items, rule, nodes);
+    std::vector<Item> items = makeItems(boxes, kinds);
+    SahSplitter splitter(items, static_cast<std::uint32_t>(leafSize));
+    nodes = buildTree(splitter, threads);
+    primitives.reserve(items.size());
+    for (const Item& item : items) primitives.push_back(item.number());
 }
-
-Bvh::Bvh(std::span<const Bounds> boxes, int leafSize, int threads)
-    : Bvh(boxes, std::array{Run{boxes.size(), leafSize}}, threads) {}
 
 }  // namespace sw

@@ -29,10 +29,10 @@ double nodesPerRay(const Model& model, const std::vector<sw::Ray>& rays) {
     for (const sw::Ray& ray : rays) {
         sw::Ray rest = ray;
         sw::Intersection hit;
-        const auto leaf = [&](std::uint32_t first, std::uint32_t count, float& maxT) {
+        const auto leaf = [&](std::uint32_t first, std::uint32_t count, float& limit) {
             for (const std::uint32_t i : tree.order().subspan(first, count))
                 if (model.triangle(i).intersect(rest, hit)) rest.maxT = hit.hitT;
-            maxT = rest.maxT;
+            limit = sw::widened(rest.maxT);
             return false;
         };
         nodes += tree.traverse(ray, leaf).nodes;

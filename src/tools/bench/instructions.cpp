@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 const std::vector<ProgramPart> parts{
     {"shading", {"/src/main.cpp"}},
-    {"filters", {"/accel/filter", "/accel/shapeRows", "/accel/shapePackets"}},
+    {"filters", {"/accel/filter", "/accel/shapeRows", "/accel/trianglePacket"}},
     {"kernels", {"/swTriangle", "/swSphere", "/swCone", "/swPatch"}},
     {"search", {"/accel/", "/swScene", "/swBvh", "/swBounds", "/swRayCount"}},
     {"new rays", {"/swIntersection.cpp", "/swNumerics.cpp"}},
