@@ -57,6 +57,8 @@ isThere() {
         gnuplot) hasCommand gnuplot ;;
         povray) hasCommand povray ;;
         valgrind) hasCommand valgrind ;;
+        venv) python3 -c 'import venv, ensurepip' 2>/dev/null ;;
+        shlibdeps) hasCommand dpkg-shlibdeps ;;
     esac
 }
 
@@ -98,6 +100,7 @@ packages() {
         gnuplot:apt) echo gnuplot-nox ;;       gnuplot:*) echo gnuplot ;;
         povray:*) echo povray ;;
         valgrind:brew) ;;                      valgrind:*) echo valgrind ;;
+        venv:apt) echo python3-venv ;;         shlibdeps:apt) echo dpkg-dev ;;
     esac
 }
 
@@ -127,7 +130,7 @@ tools="compiler cmake ninja"
 libraries="glm stb catch2 cli11 fast_float json"
 extras=
 [ $developer = no ] || extras="clang libc++ fuzzer clang-format ccache benchmark embree gnuplot povray
-    valgrind"
+    valgrind venv shlibdeps"
 
 wanted=
 for item in $tools $libraries $extras; do

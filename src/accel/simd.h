@@ -1,13 +1,16 @@
 #pragma once
 
-// Eight floats at a time. GCC and clang compile the vector type to what the target has (AVX, SSE,
-// NEON); other compilers, and SW_SIMD_PORTABLE, get loops. Results are those of scalar floats.
+// Eight floats at a time: one vector of GCC's and clang's where the target has AVX, else two
+// vectors of four (SSE, NEON). Other compilers, and SW_SIMD_PORTABLE, get single floats. Results
+// are those of scalar floats.
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-#ifdef __AVX__
+#if defined(__SSE__) || defined(_M_X64)
+#define SW_SIMD_SSE
 #include <immintrin.h>
 #endif
 
@@ -17,9 +20,12 @@
 
 // For functions that hand over many vectors, which otherwise go through memory; and for those that
 // would take registers from the loop that calls them.
-#ifdef __GNUC__
+#if defined(__GNUC__)
 #define SW_INLINE __attribute__((always_inline)) inline
 #define SW_APART __attribute__((noinline))
+#elif defined(_MSC_VER)
+#define SW_INLINE __forceinline
+#define SW_APART __declspec(noinline)
 #else
 #define SW_INLINE inline
 #define SW_APART
@@ -29,7 +35,7 @@ namespace sw::simd {
 
 constexpr int lanes = 8;
 
-#if defined(__GNUC__) && !defined(SW_SIMD_PORTABLE)
+#if defined(__GNUC__) && defined(__AVX__) && !defined(SW_SIMD_PORTABLE)
 
 using Float = float __attribute__((vector_size(lanes * sizeof(float))));
 using Mask = int __attribute__((vector_size(lanes * sizeof(int))));  // 0 or -1 per lane
@@ -57,17 +63,6 @@ inline Float swapHalves(Float a) {
     return __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
 }
 
-/// One bit per lane, the first lane lowest.
-inline unsigned bits(Mask m) {
-#if defined(__AVX__)
-    return static_cast<unsigned>(_mm256_movemask_ps((__m256)m));
-#else
-    unsigned result = 0;
-    for (int i = 0; i < lanes; ++i) result |= static_cast<unsigned>(m[i] & 1) << i;
-    return result;
-#endif
-}
-
 #ifdef SW_SIMD_PERMUTE
 
 /// Eight numbers of three bits each, the lowest first. Only the lowest three bits of a lane count.
@@ -88,62 +83,98 @@ inline Float permute(Float a, Mask numbers) {
 
 #else
 
+// A part, its bits, and a comparison's result as a mask: 0 or -1 per lane. (GCC compiles vectors of
+// eight to much slower code if the target only has vectors of four.)
+#if defined(__GNUC__) && !defined(SW_SIMD_PORTABLE)
+using Part = float __attribute__((vector_size(16)));
+using Bits = std::int32_t __attribute__((vector_size(16)));
+SW_INLINE Bits toMask(Bits compared) {
+    return compared;
+}
+#else
+using Part = float;
+using Bits = std::int32_t;
+SW_INLINE Bits toMask(bool compared) {
+    return -static_cast<Bits>(compared);
+}
+#endif
+constexpr std::size_t parts = lanes * sizeof(float) / sizeof(Part);
+
+/// Eight lanes. A float stands for eight equal ones, as with the vector types.
 struct Float {
-    float lane[lanes];
+    Part part[parts];
+
+    Float() = default;
+    SW_INLINE Float(float x) {
+        for (Part& p : part) p = x - Part{};
+    }
 };
 struct Mask {
-    bool lane[lanes];
+    Bits part[parts];
 };
 
 template <typename Result, typename Operation>
-Result each(Operation operation) {
+SW_INLINE Result each(Operation operation) {
     Result r;
-    for (int i = 0; i < lanes; ++i) r.lane[i] = operation(i);
+    for (std::size_t i = 0; i < parts; ++i) r.part[i] = operation(i);
     return r;
 }
 
-inline Float broadcast(float x) {
-    return each<Float>([&](int) { return x; });
-}
-#define SW_SIMD_OPERATOR(Result, op)                                        \
-    inline Result operator op(const Float& a, const Float& b) {             \
-        return each<Result>([&](int i) { return a.lane[i] op b.lane[i]; }); \
+#define SW_SIMD_OPERATOR(Result, Operand, op, convert)                                       \
+    SW_INLINE Result operator op(const Operand& a, const Operand& b) {                       \
+        return each<Result>([&](std::size_t i) { return convert(a.part[i] op b.part[i]); }); \
     }
-SW_SIMD_OPERATOR(Float, +)
-SW_SIMD_OPERATOR(Float, -)
-SW_SIMD_OPERATOR(Float, *)
-SW_SIMD_OPERATOR(Mask, <)
-SW_SIMD_OPERATOR(Mask, >)
-SW_SIMD_OPERATOR(Mask, <=)
+SW_SIMD_OPERATOR(Float, Float, +, )
+SW_SIMD_OPERATOR(Float, Float, -, )
+SW_SIMD_OPERATOR(Float, Float, *, )
+SW_SIMD_OPERATOR(Mask, Float, <, toMask)
+SW_SIMD_OPERATOR(Mask, Float, >, toMask)
+SW_SIMD_OPERATOR(Mask, Float, <=, toMask)
+SW_SIMD_OPERATOR(Mask, Mask, &, )
+SW_SIMD_OPERATOR(Mask, Mask, |, )
 #undef SW_SIMD_OPERATOR
-inline Mask operator|(const Mask& a, const Mask& b) {
-    return each<Mask>([&](int i) { return a.lane[i] || b.lane[i]; });
+
+SW_INLINE Float broadcast(float x) {
+    return x;
 }
-inline Mask operator&(const Mask& a, const Mask& b) {
-    return each<Mask>([&](int i) { return a.lane[i] && b.lane[i]; });
+SW_INLINE Float min(const Float& a, const Float& b) {
+    return each<Float>([&](auto i) { return a.part[i] < b.part[i] ? a.part[i] : b.part[i]; });
 }
-inline Float min(const Float& a, const Float& b) {
-    return each<Float>([&](int i) { return a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i]; });
+SW_INLINE Float max(const Float& a, const Float& b) {
+    return each<Float>([&](auto i) { return a.part[i] > b.part[i] ? a.part[i] : b.part[i]; });
 }
-inline Float max(const Float& a, const Float& b) {
-    return each<Float>([&](int i) { return a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]; });
+SW_INLINE Float abs(const Float& a) {
+    return each<Float>(
+        [&](auto i) { return std::bit_cast<Part>(std::bit_cast<Bits>(a.part[i]) & INT32_MAX); });
 }
-inline Float abs(const Float& a) {
-    return each<Float>([&](int i) { return a.lane[i] < 0 ? -a.lane[i] : a.lane[i]; });
+SW_INLINE Float flipSign(const Float& x, const Float& s) {
+    return each<Float>([&](auto i) {
+        const Bits sign = std::bit_cast<Bits>(s.part[i]) & INT32_MIN;
+        return std::bit_cast<Part>(std::bit_cast<Bits>(x.part[i]) ^ sign);
+    });
 }
-inline Float flipSign(const Float& x, const Float& s) {
-    return each<Float>([&](int i) { return s.lane[i] < 0 ? -x.lane[i] : x.lane[i]; });
-}
-inline Float swapHalves(const Float& a) {
-    return each<Float>([&](int i) { return a.lane[(i + lanes / 2) % lanes]; });
-}
-inline unsigned bits(const Mask& m) {
-    unsigned result = 0;
-    for (int i = 0; i < lanes; ++i) result |= static_cast<unsigned>(m.lane[i]) << i;
-    return result;
+SW_INLINE Float swapHalves(const Float& a) {
+    return each<Float>([&](auto i) { return a.part[(i + parts / 2) % parts]; });
 }
 
 #endif
+
+/// One bit per lane, the first lane lowest.
+SW_INLINE unsigned bits(const Mask& m) {
+#if defined(__AVX__)
+    return static_cast<unsigned>(_mm256_movemask_ps(std::bit_cast<__m256>(m)));
+#elif defined(SW_SIMD_SSE)
+    __m128 half[2];
+    std::memcpy(half, &m, sizeof m);
+    return static_cast<unsigned>(_mm_movemask_ps(half[0]) | _mm_movemask_ps(half[1]) << 4);
+#else
+    std::int32_t lane[lanes];
+    std::memcpy(lane, &m, sizeof m);
+    unsigned result = 0;
+    for (int i = 0; i < lanes; ++i) result |= static_cast<unsigned>(lane[i]) & 1u << i;
+    return result;
+#endif
+}
 
 /// Fetches memory that will be read soon.
 inline void prefetch([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {

@@ -10,7 +10,7 @@ namespace test {
 /// The text of an NFF file with all of its lengths multiplied by a factor. Understands what our own
 /// scenes contain: one statement per line, but 'p' with the vertices on lines of their own.
 inline std::string scaledNff(const std::string& path, float factor) {
-    std::ifstream file(path);
+    std::ifstream file(path, std::ios::binary);
     std::ostringstream out;
     out.imbue(std::locale::classic());
     out.precision(9);

@@ -5,9 +5,10 @@ cmake_minimum_required(VERSION 3.21)
 
 set(contents
   .clang-format
+  .gitattributes
   CMakeLists.txt
   LICENSE
-  external/*.txt external/setup.sh external/stb/*
+  external/*.txt external/stb.cmake external/setup.sh external/stb/*
   include/sw*.h
   scenes/glass.nff scenes/lights.nff scenes/mirrors.nff scenes/one-triangle.nff scenes/spheres.nff
   src/CMakeLists.txt src/sw*.cpp
@@ -27,7 +28,7 @@ set(left_out
   include/swAdaptive.h include/swBvh*.h include/swCone.h include/swCorners.h include/swMetrics.h
   include/swPatch.h include/swSamplePattern.h
   src/app/console.cpp src/app/extraOptions.cpp src/app/extras.cpp src/app/help.*
-  src/app/commandLine.cmake src/app/install.cmake src/app/interrupt.* src/app/outputChecks.cpp src/app/outputs.cpp
+  src/app/commandLine.cmake src/app/interrupt.* src/app/outputChecks.cpp src/app/outputs.cpp
   src/app/pictureFormat.* src/app/preview.* src/app/process.* src/app/progressBar.*
   src/app/renderWatch.cpp src/app/scenePath.cpp src/app/statistics.* src/app/terminal.*
   src/app/validators.cpp

@@ -1,0 +1,90 @@
+# cmake -D PROJECT=... -D WORK=... -P stb.cmake
+# external/stb.cmake has a whole stb header, or none and says what to do.
+cmake_minimum_required(VERSION 3.21)
+
+# As a child: -D HEADER_HASH=... -D SYSTEM=... -D FOLDER=... -D SWTRACER_STB_URL=...
+if(DEFINED FOLDER)
+  include(${PROJECT}/external/stb.cmake)
+  set(SWTRACER_SYSTEM_stb_image "${SYSTEM}" CACHE FILEPATH "")
+  swtracer_stb_header(stb_image ${HEADER_HASH} ${FOLDER})
+  return()
+endif()
+
+file(REMOVE_RECURSE ${WORK})
+set(good "/* stb_image - v9.99 - public domain */\nint decode(void);\n/* the licence\n*/\n\n")
+set(other "/* stb_image - v9.98 - public domain */\nint decode(void);\n/* the licence\n*/\n")
+file(WRITE ${WORK}/server/stb_image.h "${good}")
+file(SHA256 ${WORK}/server/stb_image.h hash)
+file(WRITE ${WORK}/other/stb_image.h "${other}")
+file(WRITE ${WORK}/empty/stb_image.h "")
+set(header ${WORK}/stb/stb_image.h)
+
+# find_stb(SERVER SYSTEM [PRESENT]): looks for the header anew, where PRESENT stands in its place.
+# Sets code, said and found, which is its text or "none".
+function(find_stb server system)
+  file(REMOVE_RECURSE ${WORK}/stb)
+  file(MAKE_DIRECTORY ${WORK}/stb)
+  if(ARGC GREATER 2)
+    file(WRITE ${header} "${ARGV2}")
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -D FOLDER=${WORK}/stb -D PROJECT=${PROJECT}
+      -D HEADER_HASH=${hash} -D SYSTEM=${system} -D SWTRACER_STB_URL=file://${WORK}/${server}
+      -P ${CMAKE_CURRENT_LIST_FILE}
+    RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE said)
+  set(found none)
+  if(EXISTS ${header})
+    file(READ ${header} found)
+  endif()
+  file(GLOB parts ${WORK}/stb/*.part)
+  if(parts)
+    message(SEND_ERROR "expected no half of a file to be left, found ${parts}")
+  endif()
+  string(REGEX REPLACE "[ \n]+" " " said "${said}")
+  set(code ${code} PARENT_SCOPE)
+  set(said ${said} PARENT_SCOPE)
+  set(found ${found} PARENT_SCOPE)
+endfunction()
+
+function(expect what text)
+  if(NOT code EQUAL 0 OR NOT found STREQUAL text)
+    message(SEND_ERROR "${what}: expected the header\n${text}\nfound (code ${code})\n${found}\n${said}")
+  endif()
+endfunction()
+
+# Ends with the reason and the way out, and leaves nothing behind that passes for the header.
+function(expect_refusal what reason)
+  if(code EQUAL 0 OR NOT said MATCHES "${reason}" OR NOT said MATCHES "put it here: ${header} ")
+    message(SEND_ERROR "${what}: expected a refusal with '${reason}' and the place, found (code ${code})\n${said}")
+  endif()
+  if(found STREQUAL good OR found STREQUAL other)
+    message(SEND_ERROR "${what}: expected no header, found\n${found}")
+  endif()
+endfunction()
+
+find_stb(server "")
+expect("a download" "${good}")
+find_stb(no-such-folder "")
+expect_refusal("no network" "stb_image.h cannot be downloaded from")
+if(NOT found STREQUAL "none")
+  message(SEND_ERROR "no network: expected no file, found '${found}'")
+endif()
+find_stb(other "")
+expect_refusal("another file" "expected SHA-256 ${hash}, found [0-9a-f]+")
+find_stb(empty "")
+expect_refusal("an empty file" "expected SHA-256 ${hash}, found [0-9a-f]+")
+
+find_stb(no-such-folder "" "${other}")
+expect("a header put there by hand, of another version" "${other}")
+string(SUBSTRING "${good}" 0 60 half)
+string(REPLACE "stb_image" "stb_image_write" wrong "${good}")
+foreach(present "" "${half}" "${wrong}" "<html>Please log in</html>\n")
+  find_stb(server "" "${present}")
+  expect("'${present}' in its place" "${good}")
+  find_stb(no-such-folder "" "${present}")
+  expect_refusal("'${present}' in its place, no network" "cannot be downloaded from")
+endforeach()
+
+find_stb(no-such-folder ${WORK}/other/stb_image.h)
+expect("the system's" "${other}")
+find_stb(server ${WORK}/empty/stb_image.h)
+expect("an empty one of the system" "${good}")
