@@ -4,6 +4,10 @@
 #   sh external/setup.sh              what building, rendering and testing need
 #   sh external/setup.sh --developer  also what .ci/run and the optional targets need
 #
+# On Windows: in a shell of MSYS2 or WSL. Visual Studio 2022 brings its own compiler, CMake and Ninja
+# (winget install Microsoft.VisualStudio.2022.Community, then "Desktop development with C++"): leave
+# this script out, and CMake downloads the libraries by git (winget install Git.Git).
+#
 # Does nothing where everything is there. Libraries that cannot be installed are named, and CMake
 # downloads them at configure time; a missing compiler, CMake or Ninja is an error.
 set -u
@@ -16,6 +20,7 @@ case "${1-}" in
 esac
 
 CXX=${CXX:-c++}
+here=$(dirname "$0")
 
 hasCommand() { command -v "$1" >/dev/null 2>&1; }
 hasHeader() { echo "#include <$1>" | "$CXX" -x c++ -std=c++17 -E - >/dev/null 2>&1; }
@@ -42,7 +47,9 @@ isThere() {
         cmake) hasCmake ;;
         ninja) hasCommand ninja ;;
         glm) hasHeader glm/glm.hpp ;;
-        stb) hasHeader stb/stb_image_write.h || hasHeader stb_image_write.h ;;
+        stb)
+            [ -s "$here/stb/stb_image_write.h" ] || hasHeader stb/stb_image_write.h ||
+                hasHeader stb_image_write.h ;;
         catch2) hasHeader catch2/catch.hpp || hasHeader catch2/catch_all.hpp ;;
         cli11) hasHeader CLI/CLI.hpp ;;
         fast_float) hasHeader fast_float/fast_float.h ;;
@@ -59,11 +66,30 @@ isThere() {
         valgrind) hasCommand valgrind ;;
         venv) python3 -c 'import venv, ensurepip' 2>/dev/null ;;
         shlibdeps) hasCommand dpkg-shlibdeps ;;
+        # What .ci/cross builds with, and runs that in.
+        mingw) hasCommand x86_64-w64-mingw32-g++-posix || hasCommand x86_64-w64-mingw32-g++ ;;
+        wine) hasCommand wine || hasCommand wine64 ;;
+        aarch64) hasCommand aarch64-linux-gnu-g++ || [ "$(uname -m)" = aarch64 ] ;;
+        qemu) hasCommand qemu-aarch64 || [ "$(uname -m)" = aarch64 ] ;;
+        i686) hasCommand i686-linux-gnu-g++ ;;
+        # What README renders strips on several machines with.
+        parallel) hasCommand parallel ;;
+        imagemagick) hasCommand magick || hasCommand convert ;;
     esac
 }
 
 # Item and package manager -> package names; nothing where the manager has no such package.
 packages() {
+    if [ "$manager" = msys ]; then  # tools and libraries for Windows, named after the shell's kind
+        case $1 in
+            compiler) echo "$MINGW_PACKAGE_PREFIX-gcc" ;;
+            catch2) echo "$MINGW_PACKAGE_PREFIX-catch" ;;
+            json) echo "$MINGW_PACKAGE_PREFIX-nlohmann-json" ;;
+            cmake | ninja | glm | stb | cli11 | fast_float | ccache)
+                echo "$MINGW_PACKAGE_PREFIX-$1" ;;
+        esac
+        return
+    fi
     case $1:$manager in
         compiler:apt) echo g++ ;;              compiler:dnf) echo gcc-c++ ;;
         compiler:pacman) echo gcc ;;           compiler:brew) ;;
@@ -101,6 +127,17 @@ packages() {
         povray:*) echo povray ;;
         valgrind:brew) ;;                      valgrind:*) echo valgrind ;;
         venv:apt) echo python3-venv ;;         shlibdeps:apt) echo dpkg-dev ;;
+        mingw:apt) echo g++-mingw-w64-x86-64-posix ;;
+        mingw:dnf) echo mingw64-gcc-c++ mingw64-winpthreads-static ;;
+        mingw:pacman) echo mingw-w64-gcc ;;    mingw:brew) echo mingw-w64 ;;
+        wine:apt) echo wine wine64 ;;          wine:dnf) echo wine-core ;;
+        wine:pacman) echo wine ;;
+        aarch64:apt) echo g++-aarch64-linux-gnu ;;
+        aarch64:pacman) echo aarch64-linux-gnu-gcc ;;
+        qemu:apt | qemu:dnf | qemu:pacman) echo qemu-user ;;
+        i686:apt) echo g++-i686-linux-gnu ;;
+        parallel:*) echo parallel ;;
+        imagemagick:dnf) echo ImageMagick ;;   imagemagick:*) echo imagemagick ;;
     esac
 }
 
@@ -116,21 +153,27 @@ install() {
             $sudo env DEBIAN_FRONTEND=noninteractive \
                 apt-get install -q -y --no-install-recommends "$@" ;;
         dnf) $sudo dnf install -y "$@" ;;
-        pacman) $sudo pacman -S --needed --noconfirm "$@" ;;
+        pacman | msys) $sudo pacman -S --needed --noconfirm "$@" ;;
         brew) brew install "$@" ;;
     esac
 }
 
 manager=none
+if [ -n "${MINGW_PACKAGE_PREFIX-}" ] && hasCommand pacman; then manager=msys; fi
 for candidate in apt:apt-get dnf:dnf pacman:pacman brew:brew; do
-    if [ $manager = none ] && hasCommand "${candidate#*:}"; then manager=${candidate%%:*}; fi
+    if [ "$manager" = none ] && hasCommand "${candidate#*:}"; then manager=${candidate%%:*}; fi
 done
+# Homebrew's headers, which CMake finds, lie where the compiler does not look.
+if [ "$manager" = brew ]; then
+    CPATH=$(brew --prefix)/include${CPATH:+:$CPATH}
+    export CPATH
+fi
 
 tools="compiler cmake ninja"
 libraries="glm stb catch2 cli11 fast_float json"
 extras=
 [ $developer = no ] || extras="clang libc++ fuzzer clang-format ccache benchmark embree gnuplot povray
-    valgrind venv shlibdeps"
+    valgrind venv shlibdeps mingw wine aarch64 qemu i686 parallel imagemagick"
 
 wanted=
 for item in $tools $libraries $extras; do

@@ -25,7 +25,7 @@ std::string readFile(const std::filesystem::path& path) {
     if (isDevice(in.get())) fail("is a device; expected a file");
     std::string content;
     const auto size = std::filesystem::file_size(path, none);
-    if (!none) content.reserve(size);
+    if (!none) content.reserve(static_cast<std::size_t>(size));
     char part[1 << 14];
     while (const std::size_t n = std::fread(part, 1, sizeof part, in.get()))
         content.append(part, n);

@@ -1,7 +1,12 @@
 #include "swNumerics.h"
 
 #include <bit>
+#include <cfloat>
 #include <cstdint>
+
+// The x87 keeps more digits than a float has until it happens to store one: bounds and edges leak.
+static_assert(FLT_EVAL_METHOD == 0,
+              "every float must be rounded: -msse2 -mfpmath=sse on 32-bit x86");
 
 namespace sw::num {
 namespace {
@@ -14,17 +19,12 @@ float neighbour(float x, float towards) {
     return x == 0 || towards == 0 ? x : std::bit_cast<float>(bits + (grows ? 1 : -1));
 }
 
-// x as a float, one step further so that rounding cannot undo the move.
-float roundTowards(double x, float towards) {
-    return neighbour(static_cast<float>(x), towards);
-}
-
 }  // namespace
 
 Vec3 offsetFromSurface(const Vec3& point, const Vec3& normal, float distance) {
-    const glm::dvec3 moved = toDouble(point) + static_cast<double>(distance) * toDouble(normal);
-    return {roundTowards(moved.x, normal[0]), roundTowards(moved.y, normal[1]),
-            roundTowards(moved.z, normal[2])};
+    const Vec3 moved = toFloat(toDouble(point) + static_cast<double>(distance) * toDouble(normal));
+    return {neighbour(moved[0], normal[0]), neighbour(moved[1], normal[1]),
+            neighbour(moved[2], normal[2])};  // further, so that rounding cannot undo the move
 }
 
 }  // namespace sw::num

@@ -1,5 +1,6 @@
-// Devices, pipes and links: what the file system holds beside files.
-#if __has_include(<unistd.h>)
+// Devices, pipes and links: what the file system holds beside files. Windows has no names for the
+// first two in folders, and lets only administrators make links.
+#ifndef _WIN32
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -10,7 +10,7 @@
 std::string oneLine(const std::string& text) {
     std::string line;
     for (const char c : text)
-        if (c >= 0 && std::iscntrl(c))
+        if (const auto byte = static_cast<unsigned char>(c); byte < 0x80 && std::iscntrl(byte))
             line.append("\\x").append({"01234567"[c >> 4], "0123456789abcdef"[c & 15]});
         else
             line += c;

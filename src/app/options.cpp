@@ -41,9 +41,8 @@ void readSize(const std::string& text, Options& options) {
 sw::Window readCrop(const std::string& text) {
     int c[4];
     if (!readInts(text, ',', c) || c[0] < 0 || c[1] < 0 || c[0] >= c[2] || c[1] >= c[3])
-        throw UsageError(
-            "--crop: expected x0,y0,x1,y1 with 0 <= x0 < x1 and 0 <= y0 < y1, found '" + text +
-            "'");
+        throw UsageError("--crop: expected x0,y0,x1,y1 with 0 <= x0 < x1, 0 <= y0 < y1, found '" +
+                         text + "'");
     return {c[0], c[1], c[2], c[3]};
 }
 
@@ -71,6 +70,7 @@ Options parseOptions(int argc, const char* const* argv) {
     std::string size, crop, pixel;
 
     CLI::App app("Renders a scene by Whitted ray tracing.", "swtracer");
+    app.allow_windows_style_options(false);  // there, too, /data/my.nff is a scene
     app.set_version_flag("--version", SW_VERSION);
     app.add_option("scene", options.scene, "scene file in NFF; default: the lab's scene");
     app.add_option("-o,--output", options.output, "picture to write")->capture_default_str();

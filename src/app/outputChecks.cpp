@@ -11,6 +11,7 @@
 #include "files/failure.h"
 #include "files/target.h"
 #include "files/temporary.h"
+#include "files/utf8Path.h"
 #include "swFile.h"
 
 namespace {
@@ -125,6 +126,9 @@ void requireOwnKind(const Output& output) {
 
 Options checkFiles(Options options) {
     prepareProcess();
+    for (fs::path* name :
+         {&options.scene, &options.output, &options.extra.stats, &options.extra.errorImage})
+        *name = sw::readAsUtf8(*name);
     if (options.scene == "-") options.scene = "/dev/stdin";
     if (options.pixel) return options;
     for (fs::path* name : {&options.output, &options.extra.stats, &options.extra.errorImage})

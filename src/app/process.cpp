@@ -2,7 +2,30 @@
 
 #ifdef _WIN32
 
-void prepareProcess() {}
+#include "files/windowsApi.h"
+
+namespace {
+
+// What the program prints is UTF-8, as its arguments are. The console is not ours alone: it gets
+// its code page back.
+class Utf8Console {
+public:
+    Utf8Console() { SetConsoleOutputCP(CP_UTF8); }
+    ~Utf8Console() {
+        if (before != 0) SetConsoleOutputCP(before);
+    }
+    Utf8Console(const Utf8Console&) = delete;
+    Utf8Console& operator=(const Utf8Console&) = delete;
+
+private:
+    const UINT before = GetConsoleOutputCP();  // 0: no console
+};
+
+}  // namespace
+
+void prepareProcess() {
+    static const Utf8Console console;
+}
 
 #else
 

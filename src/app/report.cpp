@@ -4,14 +4,13 @@
 #include <cmath>
 #include <iomanip>
 #include <system_error>
+#include <utility>
 
 #include "nff/plainText.h"
 
 double StopWatch::lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> elapsed = now - start;
-    start = now;
-    return elapsed.count();
+    const auto before = std::exchange(start, std::chrono::steady_clock::now());
+    return std::chrono::duration<double>(start - before).count();
 }
 
 std::string summary(const Options& options, const sw::RenderResult& result,
@@ -19,7 +18,8 @@ std::string summary(const Options& options, const sw::RenderResult& result,
     const auto rays = static_cast<double>(result.rays.total());
     std::ostringstream line = sw::plainStream();
     std::error_code none;
-    line << std::filesystem::absolute(options.output, none).lexically_normal().string() << "  "
+    const auto place = std::filesystem::absolute(options.output, none).lexically_normal();
+    line << (options.output.has_extension() ? place : options.output).string() << "  "
          << result.image.width() << "x" << result.image.height() << "  "
          << std::round(samplesPerPixel(result) * 100) / 100 << " spp  " << result.threads
          << (result.threads == 1 ? " thread  " : " threads  ") << std::setprecision(3)

@@ -1,11 +1,10 @@
 #include "app/terminal.h"
 
 #ifdef _WIN32
-#define NOMINMAX
-#define WIN32_LEAN_AND_MEAN
 #include <io.h>
 #include <stdio.h>
-#include <windows.h>
+
+#include "files/windowsApi.h"
 #else
 #include <sys/ioctl.h>
 #include <unistd.h>

@@ -7,7 +7,9 @@
 #include "files/standardStream.h"
 #include "swFile.h"
 
-#ifndef _WIN32
+#ifdef _WIN32
+#include <wchar.h>
+#else
 #include <unistd.h>
 #endif
 
@@ -31,9 +33,19 @@ std::optional<int> streamAt([[maybe_unused]] const fs::path& file) {
     return std::nullopt;
 }
 
+// The device that takes everything: on Windows it lies in no folder.
+bool isNull([[maybe_unused]] const fs::path& path) {
+#ifdef _WIN32
+    return _wcsicmp(path.c_str(), L"nul") == 0;
+#else
+    return false;
+#endif
+}
+
 }  // namespace
 
 bool Target::isSpecial() const {
+    if (isNull(file)) return true;
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
@@ -44,6 +56,7 @@ Target targetOf(const fs::path& path) {
     if (path.filename().empty())
         throw FileError(path.string() + ": is a folder; expected the name of a file");
     if (const auto stream = standardStream(path)) return {path, stream};
+    if (isNull(path)) return {path, std::nullopt};
     std::error_code error;
     fs::path file = fs::absolute(path, error);
     if (error) failToWrite(path, "the working folder does not exist any more");

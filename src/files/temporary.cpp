@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "files/failure.h"
-#include "files/openFile.h"
 
 #ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
 #include <process.h>
+#include <sys/stat.h>
 #else
 #include <signal.h>
 #include <unistd.h>
@@ -31,6 +33,18 @@ long processId() {
     return _getpid();
 #else
     return getpid();
+#endif
+}
+
+// An empty file, unless there is one by that name: false, and errno.
+bool makeNew(const fs::path& path) {
+#ifdef _WIN32  // where not every C library knows fopen's "x"
+    const int file =
+        _wopen(path.c_str(), _O_CREAT | _O_EXCL | _O_WRONLY | _O_BINARY, _S_IREAD | _S_IWRITE);
+    return file >= 0 && _close(file) == 0;
+#else
+    std::FILE* const file = std::fopen(path.c_str(), "wbx");
+    return file && std::fclose(file) == 0;
 #endif
 }
 
@@ -88,9 +102,7 @@ bool isOld(const fs::path& file) {
 
 Temporary::Temporary(const fs::path& target, const fs::path& named) : path(temporaryFor(target)) {
     errno = 0;
-    std::FILE* const file = openFile(path, "wbx");  // no file that exists
-    if (!file) failToWrite(named, reasonOf(errno));
-    std::fclose(file);
+    if (!makeNew(path)) failToWrite(named, reasonOf(errno));
 }
 
 Temporary::~Temporary() {

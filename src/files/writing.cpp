@@ -9,6 +9,7 @@
 #include "files/stream.h"
 #include "files/target.h"
 #include "files/temporary.h"
+#include "files/windowsApi.h"
 #include "swFile.h"
 
 #ifndef _WIN32
@@ -33,6 +34,16 @@ void requireFolder(const fs::path& path, const fs::path& target) {
 
 #ifdef _WIN32
 
+// Windows lets no two programs write a file, unless both want that.
+std::string reasonNotToOpen(const fs::path& file) {
+    const HANDLE handle =
+        CreateFileW(file.c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE,
+                    nullptr, OPEN_EXISTING, 0, nullptr);
+    if (handle == INVALID_HANDLE_VALUE && GetLastError() == ERROR_SHARING_VIOLATION)
+        return "another program has it open; close it there, or name another file";
+    if (handle != INVALID_HANDLE_VALUE) CloseHandle(handle);
+    return handle == INVALID_HANDLE_VALUE ? reasonOf(EACCES) : "";
+}
 bool isWritable(const fs::path&) {
     return true;
 }
@@ -42,6 +53,12 @@ bool isProtectedBySticky(const fs::path&) {
 void keepOwner(const fs::path&, const fs::path&) {}
 
 #else
+
+std::string reasonNotToOpen(const fs::path& file) {
+    errno = 0;
+    const std::fstream opened(file, std::ios::in | std::ios::out | std::ios::binary);
+    return opened ? "" : reasonOf(errno);
+}
 
 bool isWritable(const fs::path& path) {
     return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
@@ -113,9 +130,8 @@ void overwrite(const fs::path& file, std::string_view content, const fs::path& n
 
 // Locked, immutable, of another user: what opening tells.
 void requireOpens(const fs::path& file, const fs::path& named) {
-    errno = 0;
-    if (!std::fstream(file, std::ios::in | std::ios::out | std::ios::binary))
-        failToWrite(named, reasonOf(errno));
+    const std::string reason = reasonNotToOpen(file);
+    if (!reason.empty()) failToWrite(named, reason);
 }
 
 }  // namespace

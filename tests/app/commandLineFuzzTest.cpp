@@ -1,5 +1,5 @@
 // Random command lines, the same in every run: 500 of them, or as many as SWTRACER_FUZZ_RUNS says.
-#ifndef _WIN32
+#ifndef _WIN32  // POSIX: fork(), signals, links
 
 #include <fcntl.h>
 #include <signal.h>

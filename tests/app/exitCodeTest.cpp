@@ -99,6 +99,7 @@ TEST_CASE("2 for options that do not exist and values that are missing") {
 TEST_CASE("3 for a scene that is missing unreadable or malformed") {
     const TemporaryFolder folder;
     checkFailure(folder, 3, "none.nff", "none.nff: not found; is the path right?");
+    checkFailure(folder, 3, "/none/my.nff", "my.nff: not found");  // no option, on Windows either
     checkFailure(folder, 3, ".", "is a folder");
     makeFile(folder / "empty.nff", "");
     checkFailure(folder, 3, "empty.nff", "empty.nff:1:1: expected a view");
@@ -134,7 +135,7 @@ TEST_CASE("the scene is checked before the output and both before any work") {
     checkFailure(4, work + "--stats missing/a.json", "there is no folder");
 }
 
-#ifndef _WIN32
+#ifndef _WIN32  // the limits of a POSIX shell; /proc
 
 TEST_CASE("3 for a scene that fails while it is read") {
     if (fs::exists("/proc/self/mem")) checkFailure(3, tiny + "/proc/self/mem", "cannot read");

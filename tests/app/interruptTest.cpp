@@ -2,7 +2,7 @@
 #include "app/programRun.h"
 #include "support.h"
 
-#ifndef _WIN32
+#ifndef _WIN32  // signals that a process sends another
 
 using namespace test;
 

@@ -18,7 +18,7 @@ public:
         fs::create_directory(*this / "sub");
         fs::create_hard_link(*this / "my.nff", *this / "hard.png");
         aliases = {"my.nff", "./my.nff", "sub/../my.nff", "hard.png", (*this / "my.nff").string()};
-#ifndef _WIN32
+#ifndef _WIN32  // where only administrators make links
         fs::create_symlink("my.nff", *this / "link.png");
         fs::create_symlink("../link.png", *this / "sub/link.json");
         fs::create_directory_symlink("sub/..", *this / "here");
@@ -65,7 +65,7 @@ TEST_CASE("no two outputs may be one file, whether it exists or not") {
     if (exists) makeFile(folder / "a.png", png);
     std::vector<std::string> names = {"a.png", "./a.png", "sub/../a.png",
                                       (folder / "a.png").string()};
-#ifndef _WIN32
+#ifndef _WIN32  // where only administrators make links
     fs::create_symlink("a.png", folder / "la.png");
     fs::create_symlink("../la.png", folder / "sub/lla.png");
     names.insert(names.end(), {"la.png", "sub/lla.png", "here/a.png"});
@@ -120,6 +120,48 @@ TEST_CASE("a name says which picture it holds or is refused with the right one")
     CHECK(swtracer(folder, tiny + "-o A.PNG").code == 0);
     CHECK(contentOf(folder / "A.PNG").substr(0, 8) == png);
 }
+
+TEST_CASE("the summary names a stream as every system does") {
+    const TemporaryFolder folder;
+    const Run run = swtracer(folder, tiny + "-o -");
+    CHECK(run.code == 0);
+    CHECK(startsWith(run.out, png));
+    CHECK(startsWith(run.err, "/dev/stdout  4x4  "));
+}
+
+TEST_CASE("names in any script are those of files") {
+    const TemporaryFolder folder;
+    const std::string name =
+        "gr\xc3\xb6\xc3\x9f"
+        "e \xe6\x9b\xb8";  // UTF-8
+    const fs::path real = folder.path / fs::path(u8"gr\u00f6\u00dfe \u66f8");
+    fs::copy_file(shipped, fs::path(real).concat(".nff"));
+    const auto quotedName = [&](const char* ending) { return "\"" + name + ending + "\""; };
+    const Run run = swtracer(folder, quotedName(".nff") + tiny + "-o " + quotedName(".png") +
+                                         " --stats " + quotedName(".json"));
+    CAPTURE(run.out, run.err);
+    CHECK(run.code == 0);
+    CHECK(has(run.out, name + ".png  4x4  "));
+    CHECK(contentOf(fs::path(real).concat(".png")).substr(0, 8) == png);
+    CHECK(contentOf(fs::path(real).concat(".json")).substr(0, 2) == "{\n");
+    CHECK(folder.count() == 3);
+    const Run again = swtracer(folder, "--quiet " + tiny + "-o " + quotedName("/a.png"));
+    CHECK(again.code == 4);
+    CHECK(has(again.err, name));
+}
+
+#ifdef _WIN32
+TEST_CASE("the device that takes everything is none of a folder's files") {
+    const std::string name = GENERATE("nul", "NUL");
+    const TemporaryFolder folder;
+    const Run run =
+        swtracer(folder, tiny + "-o " + name + " --stats nul --error-image nul --quiet");
+    CAPTURE(run.err);
+    CHECK(run.code == 0);
+    CHECK(folder.count() == 0);
+    CHECK(startsWith(swtracer(folder, tiny + "-o " + name).out, name + "  4x4  "));
+}
+#endif
 
 TEST_CASE("devices take any number of outputs of any kind") {
     if (!fs::exists("/dev/null")) return;

@@ -20,13 +20,26 @@ struct Run {
     std::string out, err;  ///< what it printed
 };
 
-/// A path as a word of the command line.
+/// A path as a word of the command line. On Windows with its drive, as the folder that it is used
+/// in may lie on another one.
 inline std::string quoted(const fs::path& path) {
-    return std::string("\"").append(path.string()).append("\"");
+    const fs::path whole = path.has_root_directory() ? fs::absolute(path) : path;
+    return std::string("\"").append(fs::path(whole).make_preferred().string()).append("\"");
 }
 
 inline int lines(const std::string& text) {
     return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// What a program printed. Windows ends a line of text by two characters.
+inline std::string printedIn(const fs::path& file) {
+    std::string text = contentOf(file);
+#ifdef _WIN32
+    if (has(text, std::string(1, '\0'))) return text;  // a picture
+    for (std::size_t at = 0; (at = text.find("\r\n", at)) != std::string::npos; ++at)
+        text.erase(at, 1);
+#endif
+    return text;
 }
 
 /// Runs a program in a folder.
@@ -34,7 +47,12 @@ inline int lines(const std::string& text) {
 inline Run runProgram(const fs::path& program, const TemporaryFolder& folder,
                       const std::string& arguments, const std::string& before = "") {
     const TemporaryFolder printed;
-    std::string command = "cd " + quoted(folder.path) + " && " + before + quoted(program) + " " +
+#ifdef _WIN32
+    const std::string enter = "cd /d ";
+#else
+    const std::string enter = "cd ";
+#endif
+    std::string command = enter + quoted(folder.path) + " && " + before + quoted(program) + " " +
                           arguments + " >" + quoted(printed / "out") + " 2>" +
                           quoted(printed / "err");
 #ifdef _WIN32
@@ -43,7 +61,7 @@ inline Run runProgram(const fs::path& program, const TemporaryFolder& folder,
     const int status = std::system(command.c_str());
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 #endif
-    return {code, contentOf(printed / "out"), contentOf(printed / "err")};
+    return {code, printedIn(printed / "out"), printedIn(printed / "err")};
 }
 
 /// The program swtracer.

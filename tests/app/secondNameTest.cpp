@@ -2,7 +2,7 @@
 #include "app/shell.h"
 #include "support.h"
 
-#ifndef _WIN32
+#ifndef _WIN32  // links, mounts, fork()
 
 #include <signal.h>
 #include <sys/wait.h>

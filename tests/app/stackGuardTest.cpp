@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-// A sanitizer has its own say about a full stack.
+// Where the system tells of its stacks. A sanitizer has its own say about a full one.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
 #if defined(__has_feature)
 #define SW_HAS_SANITIZER __has_feature(address_sanitizer)

@@ -2,7 +2,7 @@
 #include "app/shell.h"
 #include "support.h"
 
-#ifndef _WIN32
+#ifndef _WIN32  // scripts of the POSIX shell; numbers of streams as names
 
 using namespace test;
 

@@ -96,7 +96,7 @@ TEST_CASE("the help has groups, three examples that work, and the exit codes") {
 
 TEST_CASE("control characters in names do not break a message or the summary") {
     const TemporaryFolder folder;
-#ifndef _WIN32
+#ifndef _WIN32  // where names have no such characters
     const Run none = shell(folder, "$SW \"$(printf \"a\\nb\\033[2J.nff\")\"");
     CHECK(none.code == 3);
     CHECK(none.err == "swtracer: a\\x0ab\\x1b[2J.nff: not found; is the path right?\n");

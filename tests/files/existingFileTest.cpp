@@ -1,5 +1,5 @@
 // What an existing file keeps when it gets new content, and what is refused beforehand.
-#ifndef _WIN32
+#ifndef _WIN32  // owners, modes and limits of POSIX
 
 #include <sys/resource.h>
 #include <sys/stat.h>

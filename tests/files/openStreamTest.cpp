@@ -1,5 +1,5 @@
 // Names of open streams: what is written to them comes behind what they hold.
-#ifndef _WIN32
+#ifndef _WIN32  // numbers of streams as names
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // Temporary files that killed runs leave behind.
-#ifndef _WIN32
+#ifndef _WIN32  // Windows does not tell by its number whether a process runs
 
 #include "files/temporary.h"
 

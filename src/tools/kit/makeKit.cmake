@@ -8,7 +8,7 @@ set(contents
   .gitattributes
   CMakeLists.txt
   LICENSE
-  external/*.txt external/stb.cmake external/setup.sh external/stb/*
+  external/*.txt external/stb.cmake external/setup.sh external/stb/* external/windows/*
   include/sw*.h
   scenes/glass.nff scenes/lights.nff scenes/mirrors.nff scenes/one-triangle.nff scenes/spheres.nff
   src/CMakeLists.txt src/sw*.cpp

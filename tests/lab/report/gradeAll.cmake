@@ -1,4 +1,4 @@
-# cmake -D KIT=... -D HANDINS=... -D OUT=... [-D POINTS=1,2,3,4,5,6] -P gradeAll.cmake
+# cmake -D KIT=... -D HANDINS=... -D OUT=... [-D POINTS=1,2,3,4,5,6] [-D PART=i/n] -P gradeAll.cmake
 #
 # Grades many hand-ins.
 #   KIT      the kit as it was handed out; it stays as it is
@@ -7,6 +7,8 @@
 #            compile, gives way to the starter's
 #   OUT      a folder for grades.json and grades.md, and NAME.json with all failed tests of each.
 #            Its kit/ is where hand-ins are built
+#   PART     only the i-th of n parts of the hand-ins, i from 1 to n, so that n machines share the
+#            work; each needs an OUT of its own
 cmake_minimum_required(VERSION 3.21)
 set(student_files main.cpp swTriangle.cpp swIntersection.cpp)
 if(NOT POINTS)
@@ -18,6 +20,14 @@ foreach(folder KIT HANDINS OUT)
   endif()
   cmake_path(ABSOLUTE_PATH ${folder} BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
 endforeach()
+if(NOT PART)
+  set(PART 1/1)
+endif()
+if(NOT PART MATCHES "^([1-9][0-9]*)/([1-9][0-9]*)$" OR CMAKE_MATCH_1 GREATER CMAKE_MATCH_2)
+  message(FATAL_ERROR "gradeAll: expected -D PART=i/n with i from 1 to n, found ${PART}")
+endif()
+set(part ${CMAKE_MATCH_1})
+set(parts ${CMAKE_MATCH_2})
 set(build ${OUT}/kit/build)
 set(records ${build}/lab-report/records)
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
@@ -96,9 +106,9 @@ function(summarize name replaced error)
 endfunction()
 
 file(REMOVE_RECURSE ${OUT}/kit/src)
-file(GLOB parts ${KIT}/* ${KIT}/.clang-format)
-list(FILTER parts EXCLUDE REGEX "/(build[^/]*|out.png)$")
-file(COPY ${parts} DESTINATION ${OUT}/kit)
+file(GLOB contents ${KIT}/* ${KIT}/.clang-format)
+list(FILTER contents EXCLUDE REGEX "/(build[^/]*|out.png)$")
+file(COPY ${contents} DESTINATION ${OUT}/kit)
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${OUT}/kit -B ${build} -G Ninja
   -DCMAKE_BUILD_TYPE=Release OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 # Once without a hand-in, so that each is judged by its own files alone.
@@ -110,9 +120,15 @@ file(WRITE ${OUT}/grades.md "| hand-in | total | 1 | 2 | 3 | 4 | 5 | 6 | verdict
   "|---|---:|---:|---:|---:|---:|---:|---:|---|---|\n")
 set(all "[]")
 set(count 0)
+set(found 0)
 file(GLOB handins LIST_DIRECTORIES true RELATIVE ${HANDINS} ${HANDINS}/*)
 foreach(name ${handins})
   if(NOT IS_DIRECTORY ${HANDINS}/${name})
+    continue()
+  endif()
+  math(EXPR others_turn "(${found} - ${part} + 1) % ${parts}")
+  math(EXPR found "${found} + 1")
+  if(NOT others_turn EQUAL 0)
     continue()
   endif()
   message(STATUS "grading ${name}")
