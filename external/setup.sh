@@ -34,6 +34,8 @@ hasFuzzer() {
         echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, decltype(sizeof 0)) { return 0; }' |
         clang++ -fsanitize=fuzzer,address,undefined -x c++ - -o /dev/null 2>/dev/null
 }
+# What .ci/page drives a browser with; not that of another Python that comes first in the path.
+hasSelenium() { /usr/bin/python3 -c 'import selenium' 2>/dev/null; }
 # CMake's presets file needs 3.25.
 hasCmake() {
     hasCommand cmake && cmake --version |
@@ -59,6 +61,7 @@ isThere() {
         fuzzer) hasFuzzer ;;
         clang-format) hasCommand clang-format ;;
         ccache) hasCommand ccache ;;
+        browser) hasCommand chromedriver && hasSelenium ;;
         benchmark) hasHeader benchmark/benchmark.h ;;
         embree) hasHeader embree3/rtcore.h || hasHeader embree4/rtcore.h ;;
         gnuplot) hasCommand gnuplot ;;
@@ -118,6 +121,9 @@ packages() {
         clang-format:dnf) echo clang-tools-extra ;;
         clang-format:pacman) echo clang ;;     clang-format:*) echo clang-format ;;
         ccache:*) echo ccache ;;
+        browser:apt) echo chromium chromium-driver python3-selenium ;;
+        browser:dnf) echo chromium chromedriver python3-selenium ;;
+        browser:pacman) echo chromium python-selenium ;;
         benchmark:apt) echo libbenchmark-dev ;;
         benchmark:dnf) echo google-benchmark-devel ;;
         benchmark:pacman) echo benchmark ;;    benchmark:brew) echo google-benchmark ;;
@@ -172,8 +178,8 @@ fi
 tools="compiler cmake ninja"
 libraries="glm stb catch2 cli11 fast_float json"
 extras=
-[ $developer = no ] || extras="clang libc++ fuzzer clang-format ccache benchmark embree gnuplot povray
-    valgrind venv shlibdeps mingw wine aarch64 qemu i686 parallel imagemagick"
+[ $developer = no ] || extras="browser clang libc++ fuzzer clang-format ccache benchmark embree gnuplot
+    povray valgrind venv shlibdeps mingw wine aarch64 qemu i686 parallel imagemagick"
 
 wanted=
 for item in $tools $libraries $extras; do

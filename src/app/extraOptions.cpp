@@ -51,7 +51,10 @@ void addExtraOptions(CLI::App& app, ExtraOptions& options) {
                    "PNG of the estimated error: black 0.0001, blue 0.001, red 0.01, yellow 0.1, "
                    "white 1")
         ->transform(fileName());
-    app.add_flag("--force", options.force, "replace files that are no pictures or statistics");
+    app.add_option("--explore", options.explore,
+                   "HTML page that shows the rays behind every pixel, and where they went")
+        ->transform(fileName());
+    app.add_flag("--force", options.force, "replace files that the program has not made");
     app.get_option("--output")->transform(fileName());
     arrangeHelp(app);
 }

@@ -19,7 +19,8 @@ struct ExtraOptions {
     bool corners = false;         ///< trace rays at the pixels' corners; samples is 1
     std::filesystem::path stats;  ///< JSON file for statistics; empty: none
     std::filesystem::path errorImage;  ///< PNG of the pixels' estimated errors; empty: none
-    bool force = false;                ///< replace files that are no pictures or statistics
+    std::filesystem::path explore;     ///< page that shows the rays of every pixel; empty: none
+    bool force = false;                ///< replace files of other kinds
 
     /// Whether the number of samples in each pixel depends on its error.
     bool isAdaptive() const { return tolerance > 0 || targetRmse > 0 || timeLimit > 0; }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "app/explore/recording.h"
 #include "app/outputs.h"
 #include "app/statistics.h"
+#include "files/target.h"
 #include "swAdaptive.h"
 #include "swCorners.h"
 #include "swFile.h"
@@ -41,8 +43,20 @@ std::optional<sw::RenderResult> renderOtherwise(
     return sw::render(*options.crop, pixel, how);
 }
 
+std::shared_ptr<const Recording> recordExtras(const Options& options, const sw::NffScene& file,
+                                              std::vector<sw::NffShape> shapes,
+                                              const rayTree::Trace& traceRay) {
+    const std::filesystem::path& page = options.extra.explore;
+    if (page.empty()) return nullptr;
+    auto recording =
+        std::make_shared<Recording>(recordRays(options, file, std::move(shapes), traceRay));
+    if (recording->rays.endless > 0 && !sw::targetOf(page).stream)
+        save(page, explorePage(options, file, *recording, sw::Image(1, 1)));
+    return recording;
+}
+
 void writeExtras(const Options& options, const sw::RenderResult& result, const StepTimes& times,
-                 const sw::Scene& scene, std::string failure) {
+                 const sw::NffScene& file, const Recording* recording, std::string failure) {
     const ExtraOptions& extra = options.extra;
     const auto write = [&](const std::filesystem::path& name, const auto& content) {
         if (name.empty()) return;
@@ -54,6 +68,8 @@ void writeExtras(const Options& options, const sw::RenderResult& result, const S
         }
     };
     write(extra.errorImage, [&] { return sw::encodePng(sw::heatMap(result.errors)); });
-    write(extra.stats, [&] { return statsJson(options, result, times, scene); });
+    write(extra.stats, [&] { return statsJson(options, result, times, file.scene); });
+    if (recording)
+        write(extra.explore, [&] { return explorePage(options, file, *recording, result.errors); });
     if (!failure.empty()) throw sw::FileError(failure);
 }

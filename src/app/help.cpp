@@ -14,6 +14,7 @@ constexpr const char* examples = R"(Examples:
   swtracer                                        the lab's scene, to out.png
   swtracer my.nff -o my.png --size 800x600        a scene of one's own
   swtracer my.nff --pixel 130,240                 why is this pixel black?
+  swtracer my.nff --explore rays.html             the same for every pixel, to look at
 
 Output FILE: .png, .pfm and .hdr for linear values, or - for standard output. Scene -: from
 standard input.
@@ -72,9 +73,9 @@ void arrangeHelp(CLI::App& app) {
     group("Picture", {"--output", "--size", "--crop", "--gamma", "--preview", "--force"});
     group("Rays", {"--samples", "--sampler", "--depth", "--corners", "--seed", "--threads"});
     group("Adaptive sampling", {"--adaptive", "--target-rmse", "--time-limit"});
-    group("More to learn", {"--pixel", "--stats", "--error-image"});
+    group("More to learn", {"--explore", "--pixel", "--stats", "--error-image"});
     group("This program", {"--help", "--version", "--quiet"});
-    for (const char* file : {"scene", "--output", "--stats", "--error-image"})
+    for (const char* file : {"scene", "--output", "--explore", "--stats", "--error-image"})
         app.get_option(file)->type_name("FILE");
     for (const char* text : {"--size", "--crop", "--pixel", "--sampler"})
         app.get_option(text)->type_name("");

@@ -59,7 +59,7 @@ void requireOneWay(const CLI::App& app, const Options& options) {
         refuseBeside(app, "--pixel",
                      {"--output", "--samples", "--sampler", "--adaptive", "--target-rmse",
                       "--time-limit", "--corners", "--threads", "--crop", "--quiet", "--stats",
-                      "--error-image", "--preview"});
+                      "--error-image", "--preview", "--explore"});
     checkExtraOptions(app, options.extra, options.samples);
 }
 

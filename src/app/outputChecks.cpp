@@ -34,6 +34,7 @@ std::vector<Output> outputsOf(const Options& options) {
     add("-o", options.output);
     add("--stats", options.extra.stats);
     add("--error-image", options.extra.errorImage);
+    add("--explore", options.extra.explore);
     return outputs;
 }
 
@@ -100,6 +101,19 @@ void requireGammaOfPng(const Options& options) {
                          ", which holds linear values");
 }
 
+// Pages are recognised by their ending and by their first words.
+void requirePage(const Output& output) {
+    const std::string ending = lowerCase(output.name.extension().string());
+    if (!output.isFile() || ending == ".html" || ending == ".htm") return;
+    throw UsageError("--explore: expected a name that ends in .html, found " +
+                     output.name.string() + " (" +
+                     fs::path(output.name).replace_extension(".html").string() + "?)");
+}
+
+bool isPage(const std::string& start) {
+    return lowerCase(start).starts_with("<!doctype html");
+}
+
 bool isJson(const std::string& start) {
     const std::size_t first = start.find_first_not_of(" \t\r\n");
     return first != std::string::npos && start[first] == '{';
@@ -115,10 +129,13 @@ void requireOwnKind(const Output& output) {
     std::string start(64, '\0');
     in.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<std::size_t>(in.gcount()));
-    const bool json = std::string(output.option) == "--stats";
-    if (start.empty() || (json ? isJson(start) : isPicture(start))) return;
-    throw UsageError(std::string(output.option) + ": " + output.name.string() +
-                     " exists and is no " + (json ? "JSON" : "picture") +
+    const std::string option = output.option;
+    const bool json = option == "--stats", page = option == "--explore";
+    if (start.empty() || (json ? isJson(start) : page ? isPage(start) : isPicture(start))) return;
+    throw UsageError(option + ": " + output.name.string() + " exists and is no " +
+                     (json   ? "JSON"
+                      : page ? "page"
+                             : "picture") +
                      "; expected a new name (or --force to replace it)");
 }
 
@@ -131,14 +148,18 @@ Options checkFiles(Options options) {
         *name = sw::readAsUtf8(*name);
     if (options.scene == "-") options.scene = "/dev/stdin";
     if (options.pixel) return options;
-    for (fs::path* name : {&options.output, &options.extra.stats, &options.extra.errorImage})
+    for (fs::path* name :
+         {&options.output, &options.extra.stats, &options.extra.errorImage, &options.extra.explore})
         if (*name == "-") *name = "/dev/stdout";
     const std::vector<Output> outputs = outputsOf(options);
     refuseSameFiles(outputs, options.scene);
     requireGammaOfPng(options);
     for (const Output& output : outputs) {
         const std::string option = output.option;
-        if (option != "--stats") requireEnding(output, option == "--error-image");
+        if (option == "--explore")
+            requirePage(output);
+        else if (option != "--stats")
+            requireEnding(output, option == "--error-image");
         if (!options.extra.force) requireOwnKind(output);
     }
     return options;

@@ -43,7 +43,8 @@ void requireOutputs(const Options& options) {
     const PictureFormat format = formatOf(options.output).value_or(PictureFormat::png);
     sw::requireWritable(options.output,
                         leastSize(format, options.crop->width(), options.crop->height()));
-    for (const fs::path& file : {options.extra.stats, options.extra.errorImage})
+    for (const fs::path& file :
+         {options.extra.stats, options.extra.errorImage, options.extra.explore})
         if (!file.empty()) sw::requireWritable(file);
 }
 
@@ -71,7 +72,8 @@ std::string savePicture(const sw::Image& image, const Options& options) try {
 }
 
 void printSummary(const std::string& line, const Options& options) {
-    for (const fs::path& file : {options.output, options.extra.stats, options.extra.errorImage})
+    for (const fs::path& file :
+         {options.output, options.extra.stats, options.extra.errorImage, options.extra.explore})
         if (!file.empty() && sw::targetOf(file).stream == 1) {
             std::cerr << oneLine(line) << std::endl;
             return;

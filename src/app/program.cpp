@@ -16,7 +16,8 @@
 using namespace sw;
 
 const NffScene& Run::loadScene() {
-    file = loadNff(options.scene, options.pixel ? &shapes : nullptr);
+    const bool needsShapes = options.pixel || !options.extra.explore.empty();
+    file = loadNff(options.scene, needsShapes ? &shapes : nullptr);
     settleSize(options, file->width, file->height);
     if (!options.pixel) requireOutputs(options);
     if (!options.quiet) printWarnings(file->warnings);
@@ -38,6 +39,8 @@ void Run::render(const rayTree::Trace& traceRay,
         pixelText = describePixel(options, *file, std::move(shapes), repeatable);
         return;
     }
+    recording = recordExtras(options, *file, std::move(shapes), traceRay);
+    seconds.record = watch.lap();
     const auto radiance = [&](float x, float y) {
         stackGuard::watch(static_cast<int>(x), static_cast<int>(y));
         return traceRay(file->camera.getRay(x, y), file->scene, options.depth);
@@ -57,7 +60,7 @@ void Run::write() {
     if (options.pixel) return print(pixelText);
     const std::string failure = savePicture(result->image, options);
     seconds.write = watch.lap();
-    writeExtras(options, *result, seconds, file->scene, failure);
+    writeExtras(options, *result, seconds, *file, recording.get(), failure);
     if (!options.quiet)
         printWarnings(describeFaults(result->image, options.crop->x0, options.crop->y0));
     if (!options.quiet) printSummary(summary(options, *result, seconds), options);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/extras.h"
 #include "app/options.h"
 #include "app/report.h"
 #include "rayTree/rayProbe.h"
@@ -38,7 +39,8 @@ public:
 private:
     Options options;
     std::optional<sw::NffScene> file;
-    std::vector<sw::NffShape> shapes;  // for --pixel
+    std::vector<sw::NffShape> shapes;  // for --pixel and --explore
+    std::shared_ptr<const Recording> recording;
     std::optional<sw::RenderResult> result;
     std::string pixelText;
     StepTimes seconds;

@@ -8,8 +8,8 @@
 
 /// Wall time of the steps of a run, in seconds.
 struct StepTimes {
-    double load = 0, build = 0, trace = 0, write = 0;
-    double total() const { return load + build + trace + write; }
+    double load = 0, build = 0, record = 0, trace = 0, write = 0;
+    double total() const { return load + build + record + trace + write; }
 };
 
 /// Measures one step after the other.

@@ -25,11 +25,8 @@ Json raysOf(const sw::RayCount& rays) {
 }
 
 Json secondsOf(const StepTimes& times) {
-    return {{"load", times.load},
-            {"build", times.build},
-            {"trace", times.trace},
-            {"write", times.write},
-            {"total", times.total()}};
+    return {{"load", times.load},   {"build", times.build}, {"record", times.record},
+            {"trace", times.trace}, {"write", times.write}, {"total", times.total()}};
 }
 
 }  // namespace

@@ -25,32 +25,27 @@ bool isTaken(int light, const std::vector<RayNode>& others) {
                        [light](const RayNode& other) { return other.light == light; });
 }
 
-// Calls the function again for one node whose children are known.
+// Calls the function again for one node whose children are known, and answers from what is known.
 class Replay {
 public:
-    Replay(const RayNode& parent, const Trace& function, const Scene& inScene)
-        : node(parent), trace(function), scene(inScene), lights(inScene.lights()) {
-        for (Light& light : lights) light.color = Color(0, 0, 0);
-    }
-
-    void turnOn(std::size_t light) { lights[light].color = scene.lights()[light].color; }
-    void turnOff(std::size_t light) { lights[light].color = Color(0, 0, 0); }
+    Replay(const RayNode& parent, const Trace& function, Stage& onStage)
+        : node(parent), trace(function), stage(onStage) {}
 
     // The colour that comes back if one traced child returns white and the others black.
-    std::optional<Color> colorWith(std::size_t whiteChild) {
+    std::optional<Color> color(int light, std::size_t whiteChild = none) {
         std::size_t next = 0;
         whiteWasAsked = false;
-        const auto answer = [&](std::size_t number, const Ray& ray) {
-            if (number == 0) return Answer::truth;
-            const std::size_t child = find(ray, next);
-            if (child == none) return Answer::nothing;
-            next = child + 1;
-            if (!node.children[child].isTraced) return Answer::truth;
-            if (child != whiteChild) return Answer::nothing;
-            whiteWasAsked = true;
-            return Answer::whiteNothing;
-        };
-        return replay(trace, node.query.ray, scene, node.depth, lights, answer).color;
+        return stage.replay(trace, node.query.ray, node.depth, light,
+                            [&](std::size_t number, const Ray& ray) {
+                                if (number == 0) return Answer{&node.query};
+                                const std::size_t child = find(ray, next);
+                                if (child == none) return Answer{};
+                                next = child + 1;
+                                if (!node.children[child].isTraced)
+                                    return Answer{&node.children[child].query};
+                                whiteWasAsked |= child == whiteChild;
+                                return Answer{nullptr, child == whiteChild};
+                            });
     }
 
     bool whiteWasAsked = false;
@@ -65,45 +60,40 @@ private:
 
     const RayNode& node;
     const Trace& trace;
-    const Scene& scene;
-    std::vector<Light> lights;
+    Stage& stage;
 };
 
 }  // namespace
 
-std::optional<Offspring> nextChild(const RayNode& node, const Trace& trace, const Scene& scene) {
-    const std::size_t sought = node.children.size() + 1;
-    const auto runWith = [&](Answer atSought) {
+bool dependsOnNext(const RayNode& node, const Trace& trace, Stage& stage) {
+    const auto colorWith = [&](bool white) {
         const auto answer = [&](std::size_t number, const Ray&) {
-            if (number == 0) return Answer::truth;
-            if (number == sought) return atSought;
-            if (number > sought || node.children[number - 1].isTraced) return Answer::nothing;
-            return Answer::truth;
+            if (number == 0) return Answer{&node.query};
+            if (number > node.children.size())
+                return Answer{nullptr, white && number == node.children.size() + 1};
+            const RayNode& child = node.children[number - 1];
+            return Answer{child.isTraced ? nullptr : &child.query};
         };
-        return replay(trace, node.query.ray, scene, node.depth, scene.lights(), answer);
+        return stage.replay(trace, node.query.ray, node.depth, allLights, answer);
     };
-    const Run black = runWith(Answer::nothing);
-    if (black.queries.size() <= sought) return std::nullopt;
-    const Run white = runWith(Answer::whiteNothing);
-    const Color unknown(NAN, NAN, NAN);
-    return Offspring{black.queries[sought].ray,
-                     black.color && white.color ? *white.color - *black.color : unknown};
+    const std::optional<Color> black = colorWith(false), white = colorWith(true);
+    return black && white && !isSame(*black, *white);
 }
 
-void measure(RayNode& node, const Trace& trace, const Scene& scene) {
-    Replay dark(node, trace, scene);
-    const Color rest = dark.colorWith(none).value_or(Color());
+void measure(RayNode& node, const Trace& trace, Stage& stage, bool lights) {
+    const bool hasTraced = std::any_of(node.children.begin(), node.children.end(),
+                                       [](const RayNode& child) { return child.isTraced; });
+    if (!lights && !hasTraced) return;
+    Replay replay(node, trace, stage);
+    const Color rest = replay.color(noLight).value_or(Color());
     node.otherAdds = rest;
     node.lightAdds.clear();
-    for (std::size_t i = 0; i < scene.lights().size(); ++i) {
-        dark.turnOn(i);
-        node.lightAdds.push_back(dark.colorWith(none).value_or(rest) - rest);
-        dark.turnOff(i);
-    }
+    for (std::size_t i = 0; lights && i < stage.real.lights().size(); ++i)
+        node.lightAdds.push_back(replay.color(static_cast<int>(i)).value_or(rest) - rest);
     for (std::size_t i = 0; i < node.children.size(); ++i) {
         if (!node.children[i].isTraced) continue;
-        const std::optional<Color> color = dark.colorWith(i);
-        if (color && dark.whiteWasAsked) node.children[i].weight = *color - rest;
+        const std::optional<Color> color = replay.color(noLight, i);
+        if (color && replay.whiteWasAsked) node.children[i].weight = *color - rest;
     }
 }
 

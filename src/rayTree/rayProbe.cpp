@@ -10,70 +10,80 @@ using namespace sw;
 
 struct TooManyRays {};
 
-using Answers = std::function<Answer(std::size_t, const Ray&)>;
-
-// Replaces all primitives of a scene. For one thread.
-class Probe : public Primitive {
-public:
-    Probe(const Scene& real, Answers givenAnswers, std::vector<Query>& record)
-        : scene(real), answers(std::move(givenAnswers)), queries(record) {}
-
-    bool intersect(const Ray& ray, Intersection& hit) const override {
-        if (queries.size() == mostRays) throw TooManyRays();
-        const Answer answer = answers ? answers(queries.size(), ray) : Answer::truth;
-        Query& query = queries.emplace_back();
-        query.ray = ray;
-        query.isHit = scene.intersect(ray, query.hit);
-        if (background) *background = answer == Answer::whiteNothing ? Color(1, 1, 1) : Color();
-        if (answer != Answer::truth || !query.isHit) return false;
-        hit = query.hit;
-        return true;
-    }
-
-    Color* background = nullptr;  // if not null, set with every answer
-
-private:
-    const Scene& scene;
-    const Answers answers;
-    std::vector<Query>& queries;
-};
-
-Run call(const Trace& trace, const Ray& ray, const Scene& stage, int depth,
-         std::vector<Query>& queries) {
-    Run run;
-    try {
-        run.color = trace(ray, stage, depth);
-    } catch (const TooManyRays&) {  // which leaves no color
-    }
-    run.queries = std::move(queries);
-    return run;
-}
-
 bool isSame(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
 }  // namespace
 
-Run watch(const Trace& trace, const Ray& ray, const Scene& scene, int depth) {
-    std::vector<Query> queries;
-    Scene stage;
-    stage.push(std::make_shared<Probe>(scene, nullptr, queries));
-    for (const Light& light : scene.lights()) stage.push(light);
-    stage.setBackground(scene.background());
-    return call(trace, ray, stage, depth, queries);
+// Replaces all primitives of a scene.
+class Stage::Probe : public Primitive {
+public:
+    bool intersect(const Ray& ray, Intersection& hit) const override {
+        const Query* const truth = answer(ray);
+        if (!truth || !truth->isHit) return false;
+        hit = truth->hit;
+        return true;
+    }
+
+    std::function<const Query*(const Ray&)> answer;
+};
+
+Stage::Stage(const Scene& realScene) : real(realScene), probe(std::make_shared<Probe>()) {
+    scene.push(probe);
+    for (const Light& light : real.lights()) scene.push(light);
 }
 
-Run replay(const Trace& trace, const Ray& ray, const Scene& scene, int depth,
-           const std::vector<Light>& lights, const Answers& answer) {
-    std::vector<Query> queries;
-    const auto probe = std::make_shared<Probe>(scene, answer, queries);
-    Scene stage;
-    stage.push(probe);
-    for (const Light& light : lights) stage.push(light);
-    // Not setBackground(): copies of the scene that the function made would not see it.
-    probe->background = const_cast<Color*>(&stage.background());
-    return call(trace, ray, stage, depth, queries);
+// Not setBackground(), nor push() for lights: copies of the scene that the function made would not
+// see it.
+Color& Stage::background() {
+    return const_cast<Color&>(scene.background());
+}
+
+void Stage::shine(int light) {
+    for (std::size_t i = 0; i < real.lights().size(); ++i) {
+        const bool shines = light == allLights || light == static_cast<int>(i);
+        const_cast<Light&>(scene.lights()[i]).color = shines ? real.lights()[i].color : Color();
+    }
+}
+
+template <typename Answer>
+std::optional<Color> Stage::call(const Trace& trace, const Ray& ray, int depth, std::size_t most,
+                                 const Answer& truth) {
+    std::size_t number = 0;
+    probe->answer = [&](const Ray& next) {
+        if (number == most) throw TooManyRays();
+        ++asked;
+        return truth(number++, next);
+    };
+    try {
+        return trace(ray, scene, depth);
+    } catch (const TooManyRays&) {
+        return std::nullopt;
+    }
+}
+
+Run Stage::watch(const Trace& trace, const Ray& ray, int depth, std::size_t most) {
+    Run run;
+    shine(allLights);
+    background() = real.background();
+    run.color = call(trace, ray, depth, most, [&](std::size_t, const Ray& next) {
+        Query& query = run.queries.emplace_back();
+        query.ray = next;
+        query.isHit = real.intersect(next, query.hit);
+        return &query;
+    });
+    return run;
+}
+
+std::optional<Color> Stage::replay(const Trace& trace, const Ray& ray, int depth, int light,
+                                   const Answers& answers) {
+    shine(light);
+    return call(trace, ray, depth, mostRays, [&](std::size_t number, const Ray& next) {
+        const Answer answer = answers(number, next);
+        background() = answer.isWhite ? Color(1, 1, 1) : Color();
+        return answer.truth;
+    });
 }
 
 bool isSame(const Vec3& a, const Vec3& b) {

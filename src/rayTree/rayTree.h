@@ -18,7 +18,15 @@ struct RayTree {
 /// Finds the rays behind a ray by calling a function again and again. It measures the color of each
 /// ray, its weight and the light added there: it makes other rays miss and compares the results. If
 /// the function does not end, only its first rays are followed.
-/// @param trace  must do the same for the same arguments, and return weighted sums of colors
-RayTree growTree(const Trace& trace, const sw::Ray& primary, const sw::Scene& scene, int depth);
+/// @param trace   must do the same for the same arguments, and return weighted sums of colors
+/// @param stage   of the scene; one may serve for many rays
+/// @param lights  false: leave out RayNode::lightAdds, which takes a call for every light
+RayTree growTree(const Trace& trace, const sw::Ray& primary, Stage& stage, int depth,
+                 bool lights = true);
+inline RayTree growTree(const Trace& trace, const sw::Ray& primary, const sw::Scene& scene,
+                        int depth) {
+    Stage stage(scene);
+    return growTree(trace, primary, stage, depth);
+}
 
 }  // namespace rayTree

@@ -122,7 +122,7 @@ TEST_CASE("2 for an empty value of any option and an empty scene") {
     for (const std::string option :
          {"-o", "--size", "--samples", "--sampler", "--adaptive", "--target-rmse", "--time-limit",
           "--depth", "--threads", "--seed", "--crop", "--gamma", "--pixel", "--stats",
-          "--error-image"})
+          "--error-image", "--explore"})
         checkFailure(2, option + " \"\"",
                      option == "-o" ? "--output: expected" : option + ": expected");
     checkFailure(2, tiny + "\"\"", "scene: expected the name of a file");

@@ -47,7 +47,8 @@ void checkRefused(const TemporaryFolder& folder, const std::string& arguments,
 }  // namespace
 
 TEST_CASE("no output may be the scene, whatever it is called") {
-    const std::string option = GENERATE(as<std::string>(), "-o", "--stats", "--error-image");
+    const std::string option =
+        GENERATE(as<std::string>(), "-o", "--stats", "--error-image", "--explore");
     const std::string force = GENERATE("", " --force");
     const SceneFolder folder;
     for (const std::string& alias : folder.aliases) {
@@ -58,8 +59,11 @@ TEST_CASE("no output may be the scene, whatever it is called") {
 }
 
 TEST_CASE("no two outputs may be one file, whether it exists or not") {
-    const auto [one, other] = GENERATE(table<std::string, std::string>(
-        {{"-o", "--stats"}, {"-o", "--error-image"}, {"--stats", "--error-image"}}));
+    const auto [one, other] =
+        GENERATE(table<std::string, std::string>({{"-o", "--stats"},
+                                                  {"-o", "--error-image"},
+                                                  {"--stats", "--error-image"},
+                                                  {"-o", "--explore"}}));
     const bool exists = GENERATE(false, true);
     const SceneFolder folder;
     if (exists) makeFile(folder / "a.png", png);

@@ -31,7 +31,7 @@ set(left_out
   src/app/commandLine.cmake src/app/interrupt.* src/app/outputChecks.cpp src/app/outputs.cpp
   src/app/pictureFormat.* src/app/preview.* src/app/process.* src/app/progressBar.*
   src/app/renderWatch.cpp src/app/scenePath.cpp src/app/statistics.* src/app/terminal.*
-  src/app/validators.cpp
+  src/app/validators.cpp src/app/explore
   src/nff/nffChecks.h src/nff/nffHints.h src/nff/nffMaterial.h src/nff/nffSkipped.h src/nff/nffText.h
   src/rayTree/darkness.cpp
   src/swCone.cpp src/swPatch.cpp src/swStop.cpp

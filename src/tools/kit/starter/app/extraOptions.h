@@ -12,7 +12,7 @@ class App;
 struct ExtraOptions {
     sw::SamplePattern pattern = sw::SamplePattern::jitter;
     bool corners = false;
-    std::filesystem::path stats, errorImage;
+    std::filesystem::path stats, errorImage, explore;
 };
 
 inline void addExtraOptions(CLI::App&, ExtraOptions&) {}

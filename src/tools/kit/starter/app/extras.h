@@ -1,15 +1,19 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "app/options.h"
 #include "app/renderWatch.h"
 #include "app/report.h"
+#include "rayTree/rayProbe.h"
+#include "swNff.h"
 #include "swRenderer.h"
-#include "swScene.h"
 
 // The program does nothing beyond the lab.
+
+struct Recording {};
 
 inline std::optional<sw::RenderResult> renderOtherwise(
     const Options&, const StepTimes&, const RenderWatch&,
@@ -17,5 +21,11 @@ inline std::optional<sw::RenderResult> renderOtherwise(
     return std::nullopt;
 }
 
-inline void writeExtras(const Options&, const sw::RenderResult&, const StepTimes&, const sw::Scene&,
-                        const std::string&) {}
+inline std::shared_ptr<const Recording> recordExtras(const Options&, const sw::NffScene&,
+                                                     const std::vector<sw::NffShape>&,
+                                                     const rayTree::Trace&) {
+    return nullptr;
+}
+
+inline void writeExtras(const Options&, const sw::RenderResult&, const StepTimes&,
+                        const sw::NffScene&, const Recording*, const std::string&) {}
