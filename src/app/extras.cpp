@@ -58,18 +58,11 @@ std::shared_ptr<const Recording> recordExtras(const Options& options, const sw::
 void writeExtras(const Options& options, const sw::RenderResult& result, const StepTimes& times,
                  const sw::NffScene& file, const Recording* recording, std::string failure) {
     const ExtraOptions& extra = options.extra;
-    const auto write = [&](const std::filesystem::path& name, const auto& content) {
-        if (name.empty()) return;
-        try {
-            save(name, content());
-        } catch (const sw::FileError& error) {
-            if (!failure.empty()) failure += "; ";
-            failure += error.what();
-        }
-    };
-    write(extra.errorImage, [&] { return sw::encodePng(sw::heatMap(result.errors)); });
-    write(extra.stats, [&] { return statsJson(options, result, times, file.scene); });
-    if (recording)
-        write(extra.explore, [&] { return explorePage(options, file, *recording, result.errors); });
+    const auto heat = [&] { return sw::encodePng(sw::heatMap(result.errors)); };
+    const auto statistics = [&] { return statsJson(options, result, times, file.scene); };
+    const auto page = [&] { return explorePage(options, file, *recording, result.errors); };
+    saveBeside(extra.errorImage, heat, failure);
+    saveBeside(extra.stats, statistics, failure);
+    if (recording) saveBeside(extra.explore, page, failure);
     if (!failure.empty()) throw sw::FileError(failure);
 }

@@ -1,6 +1,7 @@
 #include "app/outputs.h"
 
 #include <iostream>
+#include <new>
 #include <system_error>
 
 #include "app/console.h"
@@ -60,6 +61,22 @@ void save(const fs::path& file, const std::string& content) {
         if (other.empty()) throw;
         throw sw::FileError(std::string(error.what()) + "; what it should hold is in " +
                             other.string());
+    }
+}
+
+void saveBeside(const fs::path& file, const std::function<std::string()>& content,
+                std::string& failure) {
+    if (file.empty()) return;
+    const auto fail = [&](const std::string& reason) {
+        failure += (failure.empty() ? "" : "; ") + reason;
+    };
+    try {
+        save(file, content());
+    } catch (const sw::FileError& error) {
+        fail(error.what());
+    } catch (const std::bad_alloc&) {
+        if (failure.empty()) throw;  // else the other file's name would get lost
+        fail(file.string() + ": too large for memory");
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/options.h"
@@ -21,6 +22,13 @@ void requireOutputs(const Options& options);
 /// files.
 /// @throws sw::FileError, also when the other file was written; the message names it
 void save(const std::filesystem::path& file, const std::string& content);
+
+/// Saves what comes beside the picture.
+/// @param content  makes it; not called without a file
+/// @param failure  what went wrong so far, such as a picture under another name; receives more
+/// @throws std::bad_alloc  if memory ends, and nothing went wrong before that
+void saveBeside(const std::filesystem::path& file, const std::function<std::string()>& content,
+                std::string& failure);
 
 /// Saves the picture in the form that its name says.
 /// @return  what went wrong; empty: nothing

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <new>
 #include <thread>
 
 #include "app/outputs.h"
@@ -99,6 +100,20 @@ TEST_CASE("one output that goes to its second name does not keep the others from
     CHECK(PngStructure(contentOf(folder / picture)).width == 99);
     CHECK(PngStructure(contentOf(folder / errors)).width == 99);
     CHECK(numberOf(contentOf(folder / stats), "width") == 99);
+}
+
+TEST_CASE("memory that ends beside a second name does not lose that name") {
+    const TemporaryFolder folder;
+    const auto tooMuch = []() -> std::string { throw std::bad_alloc(); };
+    std::string failure = "what it should hold is in a-1.png";
+    saveBeside(folder / "s.json", tooMuch, failure);
+    CHECK(failure == "what it should hold is in a-1.png; " + (folder / "s.json").string() +
+                         ": too large for memory");
+    failure.clear();
+    CHECK_THROWS_AS(saveBeside(folder / "s.json", tooMuch, failure), std::bad_alloc);
+    saveBeside("", tooMuch, failure);
+    CHECK(failure.empty());
+    CHECK(folder.count() == 0);
 }
 
 TEST_CASE("if no place is left for the picture, the statistics are written all the same") {
