@@ -26,6 +26,14 @@
 ///   pixel wide. For thin white triangles on black, 25 pixels long and 0.2 wide at the
 ///   foot, the picture shows 89 % of the area at tolerance 0.02 and 96 % at 0.01, if any sample
 ///   hit them.
+///
+/// What is missed is counted nevertheless. In the end, an audit takes samples that are independent
+/// of all before: one in an eighth of the pixels that seem flat (more in small pictures), many
+/// where that one differs, and again in some of the others. estimatedRmse is what the audit has
+/// measured. Details that it finds are repaired, and where they are more than a tolerance or a
+/// target allows, all flat pixels around are sampled again. Audit samples that agree with their
+/// pixel do not enter its mean: they would not change it. Those that judge a busy pixel do not,
+/// either: which pixels are judged depends on the window, and the picture must not.
 namespace sw {
 
 struct AdaptiveProgress {
@@ -41,7 +49,7 @@ struct AdaptiveOptions {
     /// A pixel whose mean has at most this estimated error needs no more samples. In linear
     /// radiance, as displayed: root mean square of the three channels, in 0..1.
     float tolerance = 0;
-    float targetRmse = 0;   ///< estimated, of the whole window; in the same unit
+    float targetRmse = 0;   ///< as audited, of the whole window; in the same unit
     double timeLimit = 0;   ///< seconds of wall time; see renderAdaptive()
     int maxSamples = 1024;  ///< per pixel: 1, 4, 8, 16, ..., at most 4096
     /// Whether the result has `errors` and `sampleCounts`. They take 16 of its 28 bytes per pixel,
@@ -54,8 +62,9 @@ struct AdaptiveOptions {
     std::function<bool(const AdaptiveProgress&)> keepGoing = nullptr;
 };
 
-/// `samples` counts all samples, also those in the margin around the window. A pixel's estimated
-/// error is the same in all channels.
+/// `samples` counts all samples, also those in the margin around the window and those of the audit.
+/// A pixel's estimated error is the same in all channels. estimatedRmseStandardError is 0, unknown,
+/// if the rendering was ended by render.stop or keepGoing, or if there was no time for an audit.
 struct AdaptiveResult : RenderResult {
     std::vector<int> sampleCounts;  ///< of each pixel, row by row; 0: a rough one
     int passes = 0;                 ///< 0: there was no time for one sample in every pixel

@@ -38,9 +38,11 @@ struct RenderOptions {
 /// in linear radiance (see swErrorEstimate.h); NaN: there is no estimate.
 struct RenderResult {
     Image image;
-    Image errors;               ///< estimated, of every pixel
-    double estimatedRmse = 0;   ///< of the image
-    std::uint64_t samples = 0;  ///< that were taken
+    Image errors;                           ///< estimated, of every pixel
+    double estimatedRmse = 0;               ///< of the image
+    double estimatedRmseStandardError = 0;  ///< of that estimate; 0: unknown
+    std::uint64_t auditedPixels = 0;        ///< see renderAdaptive()
+    std::uint64_t samples = 0;              ///< that were taken
     RayCount rays;
     int threads = 0;                ///< that took part
     double seconds = 0;             ///< wall time

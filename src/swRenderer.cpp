@@ -5,10 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <numeric>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "swErrorEstimate.h"
 #include "swSampling.h"
@@ -27,21 +25,17 @@ public:
           tileSize(std::max(1, options.tileSize)),
           columns((window.width() + tileSize - 1) / tileSize),
           tiles(columns * ((window.height() + tileSize - 1) / tileSize)),
-          squaredErrors(static_cast<std::size_t>(tiles)),
-          result{Image(window.width(), window.height()),
-                 Image(window.width(), window.height()),
-                 {},
-                 {},
-                 {}} {}
+          result{.image = Image(window.width(), window.height()),
+                 .errors = Image(window.width(), window.height()),
+                 .rays = {}} {}
 
     RenderResult run() {
         const auto start = std::chrono::steady_clock::now();
         result.threads = onThreads(threadCount(), [this] { work(); });
 
-        const double pixels = static_cast<double>(window.width()) * window.height();
-        const int samples = std::max(1, options.samples);
-        result.estimatedRmse = estimatedRmse();
-        result.samples = static_cast<std::uint64_t>(pixels * samples * samples);
+        const double side = std::max(1, options.samples);
+        estimateRmse();
+        result.samples = static_cast<std::uint64_t>(side * side * window.width() * window.height());
         result.complete = done == tiles;
         result.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -90,17 +84,24 @@ private:
                 seedPixel(options.seed, x, y);
                 Color& pixel = result.image.at(x - window.x0, y - window.y0);
                 pixel = radiance(x, y);
-                const Color error = samples.takeError(pixel);
-                result.errors.at(x - window.x0, y - window.y0) = error;
-                squaredErrors[static_cast<std::size_t>(tile)] += error * error;
+                result.errors.at(x - window.x0, y - window.y0) = samples.takeError(pixel);
             }
         }
     }
 
-    // The tiles' sums are added in the same order for any number of threads.
-    double estimatedRmse() const {
-        const double sum = std::accumulate(squaredErrors.begin(), squaredErrors.end(), 0.0);
-        return std::sqrt(sum / (3.0 * window.width() * window.height()));
+    // A pixel's estimated squared error may be wrong by its own size, all of them by a third.
+    void estimateRmse() {
+        double sum = 0, squares = 0;
+        for (int y = 0; y < window.height(); ++y)
+            for (int x = 0; x < window.width(); ++x) {
+                const Color& error = result.errors.at(x, y);
+                const double squared = error * error / 3;
+                sum += squared;
+                squares += squared * squared;
+            }
+        result.estimatedRmse = std::sqrt(sum / window.width() / window.height());
+        result.estimatedRmseStandardError =
+            result.estimatedRmse / 2 * std::sqrt(squares / (sum * sum) + 1. / 9);
     }
 
     void finishTile(int tile) {
@@ -116,11 +117,8 @@ private:
     const Window window;
     const std::function<Color(int, int)>& radiance;
     const RenderOptions& options;
-    const int tileSize;
-    const int columns;
-    const int tiles;
-    std::vector<double> squaredErrors;  // per tile
-    RenderResult result;                // every thread writes the pixels of its tiles
+    const int tileSize, columns, tiles;
+    RenderResult result;  // every thread writes the pixels of its tiles
 
     std::atomic<int> next{0};
     std::mutex mutex;  // guards result.rays and what follows

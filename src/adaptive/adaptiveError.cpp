@@ -7,8 +7,7 @@ namespace sw {
 namespace {
 
 /// The plane through a pixel's four nearest neighbours.
-struct Plane {
-    Color dx, dy;    ///< slope, per pixel
+struct Plane : Slope {
     Color residual;  ///< how far the pixel is off the plane
 };
 
@@ -91,9 +90,17 @@ float squaredError(const AdaptivePixel& pixel) {
     const ThinFeature& thin = pixel.thinFeature;
     if (thin.squaredError > 0)
         sum += 0.5f * thin.squaredError * std::exp(-n * std::sqrt(thin.squaredShare));
-    const float displayed = std::sqrt(sum) - clippedBy(pixel.mean);
+    // Few samples may hit a light in a small part of the pixel and make the mean far brighter than
+    // white, which it need not be: how far beyond the display's range it lies says so
+    // exponentially, as the number of such hits does.
+    const float error = std::sqrt(sum), clipped = clippedBy(pixel.mean);
+    const float displayed = clipped > 0 ? error * std::exp(-clipped / error) : error;
     if (displayed <= 0) return 0;
     return displayed < 1 ? displayed * displayed : 1;
+}
+
+Slope slopeOf(const Neighbourhood& around) {
+    return planeThrough(around);
 }
 
 Color resolve(const Neighbourhood& around) {

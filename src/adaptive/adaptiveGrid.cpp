@@ -13,7 +13,8 @@ constexpr auto relaxed = std::memory_order_relaxed;
 
 AdaptiveGrid::AdaptiveGrid(const Window& region, const RadianceAt& radiance,
                            const RenderOptions& options)
-    : region(region),
+    : unseen(region),
+      region(region),
       radiance(radiance),
       options(options),
       pixels(static_cast<std::size_t>(region.width()) * static_cast<std::size_t>(region.height())),
@@ -61,15 +62,17 @@ void AdaptiveGrid::borrowColors(const CoarsePicture& coarse) {
     });
 }
 
-void AdaptiveGrid::refineWhere(const Window& window, const Need& needed, TimeShare& share) {
+bool AdaptiveGrid::refineWhere(const Window& window, const Need& needed, TimeShare& share) {
     const std::uint64_t before = taken;
     const auto never = [](int, int) { return false; };
     const auto refineTile = [&](const Window& tile) {
         bool changed = false;
         const auto refineIfNeeded = [&](int x, int y) {
+            const float error = errors[index(x, y)] + unseenErrorOf(x, y);
+            if (!needed.isPossible(error)) return;  // most pixels: not even looked at
             AdaptivePixel& own = pixels[index(x, y)];
             if (ShortRays::areOn()) own.isClosed = true;
-            if (own.isClosed || !needed(errors[index(x, y)], own.samples)) return;
+            if (own.isClosed || !needed(error, own.samples)) return;
             changed = true;
             checkStop(x, y, own.samples);
             refinePixel(x, y, needed);
@@ -78,19 +81,36 @@ void AdaptiveGrid::refineWhere(const Window& window, const Need& needed, TimeSha
         if (changed) show(tile, tile);
     };
     sweep(refineTile, options.progress);
-    if (taken != before) estimateErrors();
+    if (taken == before) return false;
+    estimateErrors();
+    return true;
 }
 
 // Refines a pixel until it needs no more, as judged by what is known of its neighbours now.
 void AdaptiveGrid::refinePixel(int x, int y, const Need& needed) {
     AdaptivePixel& pixel = pixels[index(x, y)];
-    forEachPixel(common({x - 1, y - 1, x + 2, y + 2}, region),
-                 [this](int i, int j) { stale[index(i, j)].store(true, relaxed); });
-    while (needed(squaredError(pixel), pixel.samples)) {
+    markStale(x, y);
+    while (needed(squaredError(pixel) + unseenErrorOf(x, y), pixel.samples)) {
         const int before = pixel.samples;
         refine(pixel, x, y, radiance, options.seed);
         taken.fetch_add(static_cast<std::uint64_t>(pixel.samples - before), relaxed);
     }
+}
+
+// The pixel has changed: its error and its neighbours' are to be estimated again.
+void AdaptiveGrid::markStale(int x, int y) {
+    forEachPixel(common({x - 1, y - 1, x + 2, y + 2}, region),
+                 [this](int i, int j) { stale[index(i, j)].store(true, relaxed); });
+}
+
+void AdaptiveGrid::replace(const std::vector<AuditedPixel>& others, bool spread) {
+    for (const AuditedPixel& other : others) {
+        const std::size_t i = index(other.x, other.y);
+        pixels[i] = other.judge;
+        errors[i] = squaredError(other.judge);
+        if (spread) markStale(other.x, other.y);
+    }
+    if (spread) estimateErrors();
 }
 
 void AdaptiveGrid::estimateErrors() {
@@ -131,13 +151,6 @@ Neighbourhood AdaptiveGrid::around(int x, int y, const Window& area) const {
             pixelAt(x - 1, y + 1),
             pixelAt(x, y + 1),
             pixelAt(x + 1, y + 1)};
-}
-
-template <typename Function>
-void AdaptiveGrid::sweep(const Function& function, const std::function<void(int, int)>& progress) {
-    const Sweep done = forEachTile(region, options, function, progress);
-    traced += done.rays;
-    mostThreads = std::max(mostThreads, done.threads);
 }
 
 }  // namespace sw

@@ -55,6 +55,14 @@ void lookAround(AdaptivePixel& pixel, const Neighbourhood& around);
 /// Expected square of a pixel's error as displayed, in 0..1. It is 1 if a sample was NaN.
 float squaredError(const AdaptivePixel& pixel);
 
+/// How colour changes over a pixel, per pixel.
+struct Slope {
+    Color dx, dy;
+};
+
+/// As its neighbours suggest.
+Slope slopeOf(const Neighbourhood& around);
+
 /// The colour of the middle pixel.
 Color resolve(const Neighbourhood& around);
 

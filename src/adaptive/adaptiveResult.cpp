@@ -63,7 +63,7 @@ double makeBlank(const SampledPicture& picture, const Window& window) {
 
 double estimatedRmse(const AdaptiveGrid& grid, const Window& window) {
     double sum = 0;
-    forEachPixel(window, [&](int x, int y) { sum += grid.squaredErrorOf(x, y); });
+    forEachPixel(window, [&](int x, int y) { sum += grid.wholeErrorOf(x, y); });
     return std::sqrt(sum / window.width() / window.height());
 }
 
@@ -76,7 +76,7 @@ void fill(const SampledPicture& picture, const AdaptiveGrid& grid, const Window&
         forEachPixel(tile, [&](int x, int y) {
             const AdaptivePixel& pixel = grid.pixel(x, y);
             const int samples = pixel.isRough() ? 0 : pixel.samples;
-            put(picture, window, x, y, {grid.color(x, y), grid.squaredErrorOf(x, y), samples});
+            put(picture, window, x, y, {grid.color(x, y), grid.ownErrorOf(x, y), samples});
             ofTile += samples == 0;
         });
         rough += ofTile;

@@ -2,43 +2,26 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "adaptive/adaptiveGrid.h"
 #include "adaptive/adaptiveResult.h"
+#include "adaptive/auditor.h"
 #include "adaptive/coarsePicture.h"
+#include "adaptive/passThresholds.h"
 #include "adaptive/pixelSequence.h"
+#include "adaptive/tiles.h"
 #include "adaptive/timeShare.h"
 
 namespace sw {
 namespace {
 
-// The thresholds of all passes but the first. A pixel with n samples is refined while its error is
-// above both the tolerance and threshold * sqrt(n): errors e fall like n^-3/4, so one more sample
-// lowers the sum of e^2 by about 1.5 e^2 / n. Samples are best spent where that is largest.
-// Thresholds fall by a constant factor. With a tolerance, the list ends where thresholds are too
-// small to matter, and then come passes that leave no error above the tolerance. The list depends
-// on the tolerance alone: so the picture is independent of the window.
-std::vector<float> thresholds(float tolerance) {
-    constexpr float first = 0.05f, smallest = 1e-8f;
-    const float ratio = tolerance > 0 ? 0.4f : 0.8f;
-    constexpr int settlingPasses = 10;
-    const float last = tolerance > 0 ? std::max(smallest, tolerance / 32) : smallest;
-    std::vector<float> list;
-    for (float threshold = first; threshold > last; threshold *= ratio) list.push_back(threshold);
-    if (tolerance > 0) list.insert(list.end(), settlingPasses, 0.f);
-    return list;
-}
-
-Window grown(const Window& window, int by) {
-    return {window.x0 - by, window.y0 - by, window.x1 + by, window.y1 + by};
-}
-
-Window within(const Window& window, int width, int height) {
-    return {std::max(window.x0, 0), std::max(window.y0, 0), std::min(window.x1, width),
-            std::min(window.y1, height)};
-}
+// How far what an audit finds changes pixels: all of a block and those around it, and a few pixels
+// more.
+constexpr int feedBackPasses = 8;
+constexpr int feedBackMargin = 2 * UnseenDetail::side + feedBackPasses;
 
 std::chrono::nanoseconds inNanoseconds(double seconds) {
     return std::chrono::nanoseconds(static_cast<long long>(1e9 * seconds));
@@ -50,11 +33,14 @@ public:
                      const AdaptiveOptions& options)
         : window(window),
           options(options),
+          width(width),
+          height(height),
           radiance(radiance),
-          passThresholds(thresholds(options.tolerance)),
-          margin(options.tolerance > 0 ? static_cast<int>(passThresholds.size()) + 1 : 1),
+          thresholds(passThresholds(options.tolerance)),
+          margin(options.tolerance > 0 ? static_cast<int>(thresholds.size()) + 1 + feedBackMargin
+                                       : 1),
           region(within(grown(window, margin), width, height)),
-          result{{Image(1, 1), Image(1, 1), {}, {}, {}}, {}, {}} {
+          result{{.image = Image(1, 1), .errors = Image(1, 1), .rays = {}}, {}, {}} {
         secondsPerByte = makeBlank(picture, window);
     }
 
@@ -65,6 +51,8 @@ public:
         if (passes > 0) fill(picture, *grid, window, options.render);
         result.complete = onlyCoarse ? coarse->samples() > 0 : passes > 0;
         result.passes = passes;
+        result.estimatedRmseStandardError = standardError;
+        result.auditedPixels = auditor ? auditor->pixels() : 0;
         result.seconds = seconds();
         return std::move(result);
     }
@@ -131,39 +119,111 @@ private:
         TimeShare first = shareUntil(0.3 * firstPassSeconds + resultSeconds());
         if (!grid->start(first, coarse ? &*coarse : nullptr)) return;
         passes = 1;
+        auditor.emplace(*grid, region, window, static_cast<double>(width) * height, radiance,
+                        options.render.seed, ErrorLimits{options.tolerance, options.targetRmse});
         bool over = first.wasOver();
-        for (const float threshold : passThresholds) {
-            // Time for the errors after the pass, and to fill in the result.
-            const double reserve = 2 * grid->secondsForErrors() + resultSeconds();
-            if (over || limitReached(reserve)) return;
-            TimeShare share = shareUntil(reserve);
+        if (!over && isLimited() && timeForAudit() < (options.timeLimit - seconds()) / 2)
+            auditInBetween();
+        for (const float threshold : thresholds) {
+            if (over || limitReached(reserve())) break;
+            TimeShare share = shareUntil(reserve());
             pass(threshold, share);
             over = share.wasOver();
         }
+        auditAtLast(over);
     }
 
-    // The influence of a pixel in the margin moves only one pixel further with each pass to come.
-    void pass(float threshold, TimeShare& share) {
+    // Time for the errors after a pass, to fill in the result, and to audit it.
+    double reserve() const {
+        return 2 * grid->secondsForErrors() + resultSeconds() + (isLimited() ? timeForAudit() : 0);
+    }
+    double timeForAudit() const {
+        if (auditor->hasAudited()) return 1.3 * auditor->seconds();
+        return 0.3 * firstPassSeconds + 2 * grid->secondsForErrors();
+    }
+
+    // What it has found leads the passes to come.
+    void auditInBetween() {
+        TimeShare share = shareUntil(resultSeconds());
+        auditor->audit(share, !isLimited());
+        if (!auditor->hasAudited()) return;
+        // Of an estimate that sways, the low values end the rendering: so it must be lower.
+        const Judgement found = auditor->found();
+        const double most = static_cast<double>(options.targetRmse) * options.targetRmse;
+        targetReached = found.squaredError + 0.5 * auditor->sway() <= most;
+        if (!targetReached) auditor->feedBack();
+    }
+
+    void auditAtLast(bool over) {
+        if (isStopped || (over && !isLimited())) return;
+        TimeShare share = shareUntil(resultSeconds());
+        // The last audit with a tolerance repairs nothing: whether there is one depends on the
+        // window.
+        bool repairs = true;
+        if (options.tolerance > 0 && !isLimited() && !targetReached) {
+            auditor->audit(share, false);
+            if (!auditor->hasAudited()) return;
+            repairs = false;
+            const bool again = auditor->feedBackByBlocks(share);
+            settlingPasses(share);
+            if (again) auditor->audit(share, true);
+        } else if (!targetReached) {
+            auditor->audit(share, true);
+        }
+        if (!auditor->hasAudited()) return;
+        auditor->settle(repairs);
+        const double variance = auditor->found().variance, error = std::sqrt(variance);
+        standardError = std::min(error / (2 * rmse()), std::sqrt(error));
+    }
+
+    // Until no error is above the tolerance that was below it before an audit.
+    void settlingPasses(TimeShare& share) {
+        reached = std::max(reached, margin - feedBackPasses);
+        for (int i = 0; i < feedBackPasses && pass(0, share); ++i) {
+        }
+    }
+
+    // The influence of a pixel in the margin moves only one pixel further with each pass to come:
+    // what is `reached` of the margin needs no more samples.
+    bool pass(float threshold, TimeShare& share) {
         const float tolerance = std::max(0.f, options.tolerance);
         const int most = std::min(options.maxSamples, PixelSequence::length);
-        grid->refineWhere(grown(window, std::max(0, margin - passes)),
-                          {tolerance * tolerance, threshold * threshold, most}, share);
+        const bool any =
+            grid->refineWhere(grown(window, std::max(0, margin - reached)),
+                              {tolerance * tolerance, threshold * threshold, most}, share);
         ++passes;
+        ++reached;
+        return any;
     }
 
-    bool limitReached(double reserve) const {
+    bool limitReached(double reserve) {
         if (isLimited() && seconds() + reserve >= options.timeLimit) return true;
-        if (options.targetRmse > 0 && rmse() <= options.targetRmse) return true;
-        return options.keepGoing &&
-               !options.keepGoing({passes, grid->samples(), rmse(), seconds()});
+        // Often, the model's errors are too large.
+        if (options.targetRmse > 0 && rmse() <= 2 * options.targetRmse &&
+            static_cast<double>(grid->samples()) >
+                1.3 * static_cast<double>(auditor->samplesAtModelAudit())) {
+            TimeShare share = shareUntil(resultSeconds());
+            auditor->auditModel(share);
+        }
+        if (options.targetRmse > 0 && rmse() <= options.targetRmse) {
+            auditInBetween();
+            if (targetReached) return true;
+        } else if (isLimited() && auditor->hasAudited() &&
+                   grid->samples() > 2 * auditor->samplesAtAudit()) {
+            auditInBetween();
+        }
+        isStopped =
+            options.keepGoing && !options.keepGoing({passes, grid->samples(), rmse(), seconds()});
+        return isStopped;
     }
     double rmse() const { return estimatedRmse(*grid, window); }
 
     const Clock::time_point begin = Clock::now();
     const Window window;
     const AdaptiveOptions& options;
+    const int width, height;
     const RadianceAt& radiance;
-    const std::vector<float> passThresholds;
+    const std::vector<float> thresholds;
     const int margin;
     const Window region;
     AdaptiveResult result;
@@ -172,7 +232,10 @@ private:
     std::optional<CoarsePicture> coarse;
     double firstPassSeconds = 0;  // as expected from the coarse picture
     std::optional<AdaptiveGrid> grid;
-    int passes = 0;
+    std::optional<Auditor> auditor;
+    int passes = 0, reached = 1;
+    bool isStopped = false, targetReached = false;
+    double standardError = 0;
 };
 
 }  // namespace

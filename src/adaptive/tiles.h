@@ -11,6 +11,15 @@ inline Window common(const Window& a, const Window& b) {
     return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
+inline Window grown(const Window& window, int by) {
+    return {window.x0 - by, window.y0 - by, window.x1 + by, window.y1 + by};
+}
+
+inline Window within(const Window& window, int width, int height) {
+    return {std::max(window.x0, 0), std::max(window.y0, 0), std::min(window.x1, width),
+            std::min(window.y1, height)};
+}
+
 template <typename Function>
 void forEachPixel(const Window& window, const Function& function) {
     for (int y = window.y0; y < window.y1; ++y)

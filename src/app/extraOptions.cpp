@@ -39,7 +39,7 @@ void addExtraOptions(CLI::App& app, ExtraOptions& options) {
     addLimit("--adaptive", options.tolerance,
              "sample each pixel until its estimated error is at most this, e.g. 0.01");
     addLimit("--target-rmse", options.targetRmse,
-             "stop when the picture's estimated error is at most this");
+             "stop when the picture's estimated error, as an audit measures it, is at most this");
     addLimit("--time-limit", options.timeLimit, "stop after this many seconds");
     app.add_flag("--preview", options.preview,
                  "write the picture so far to the output file, every second");

@@ -19,6 +19,10 @@ constexpr const char* examples = R"(Examples:
 Output FILE: .png, .pfm and .hdr for linear values, or - for standard output. Scene -: from
 standard input.
 
+Error: rmse 0.0055 +- 0.0004 (est.) is the picture's root mean square error in linear radiance, and
+the standard error of that number. It counts details that the samples may have missed, as far as
+independent samples find them; it cannot know of what none has hit.
+
 Exit codes: 0 done, 2 command line or too little memory, 3 scene, 4 output, 128+n ended by signal n,
 1 anything else.)";
 

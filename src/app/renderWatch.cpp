@@ -89,6 +89,13 @@ void tellOfLack(const Options& options, const sw::RenderResult& result) {
             {"warning: there was no time for " + std::to_string(result.roughPixels) + " of " +
              std::to_string(static_cast<long long>(result.image.width()) * result.image.height()) +
              " pixels: they have the colour of a sample nearby, or of rays cut short"});
+    const ExtraOptions& limits = options.extra;
+    const bool onlyTarget =
+        limits.targetRmse > 0 && !(limits.tolerance > 0) && limits.timeLimit == 0;
+    if (onlyTarget && result.estimatedRmse > static_cast<double>(limits.targetRmse) &&
+        InterruptNotice::signal() == 0 && !options.quiet)
+        printWarnings(
+            {"warning: the limit of samples per pixel ended the render above the target"});
     if (InterruptNotice::signal() != 0)
         throw Interrupted(std::string("interrupted by ") + signalName() + "; " +
                           options.output.string() + " has the picture so far");

@@ -25,12 +25,13 @@ std::string summary(const Options& options, const sw::RenderResult& result,
          << (result.threads == 1 ? " thread  " : " threads  ") << std::setprecision(3)
          << times.total() << " s  " << rays * 1e-6 << " Mrays  "
          << rays * 1e-6 / std::max(result.seconds, 1e-9) << " Mray/s";
-    if (!std::isnan(result.estimatedRmse))
-        line << "  rmse " << std::setprecision(2) << result.estimatedRmse << " (est.)";
+    const double rmse = result.estimatedRmse, error = result.estimatedRmseStandardError;
+    if (!std::isnan(rmse)) line << "  rmse " << std::setprecision(2) << rmse;
+    if (error > 0) line << " +- " << std::setprecision(1) << error;
+    if (!std::isnan(rmse)) line << " (est.)";
     return line.str();
 }
 
 double samplesPerPixel(const sw::RenderResult& result) {
-    const double pixels = static_cast<double>(result.image.width()) * result.image.height();
-    return static_cast<double>(result.samples) / pixels;
+    return static_cast<double>(result.samples) / result.image.width() / result.image.height();
 }

@@ -24,6 +24,12 @@ Json raysOf(const sw::RayCount& rays) {
         {"refracted", rays[RayKind::refracted]}, {"other", rays[RayKind::other]}};
 }
 
+// null: unknown
+Json standardErrorOf(const sw::RenderResult& result) {
+    const double error = result.estimatedRmseStandardError;
+    return error > 0 ? Json(error) : Json(nullptr);
+}
+
 Json secondsOf(const StepTimes& times) {
     return {{"load", times.load},   {"build", times.build}, {"record", times.record},
             {"trace", times.trace}, {"write", times.write}, {"total", times.total()}};
@@ -47,6 +53,8 @@ std::string statsJson(const Options& options, const sw::RenderResult& result,
         {"seed", options.seed},
         {"sampler", sw::patternNames[static_cast<std::size_t>(options.extra.pattern)]},
         {"estimated_rmse", result.estimatedRmse},
+        {"estimated_rmse_standard_error", standardErrorOf(result)},
+        {"audited_pixels", result.auditedPixels},
         {"estimated_rmse_8bit", sw::estimatedRmse8bit(result.image, result.errors, options.gamma)},
         {"not_finite_pixels", faults.notFinite.count},
         {"negative_pixels", faults.negative.count},

@@ -1,3 +1,4 @@
+#include "tools/calibration/calibration.h"
 #include "tools/common/commandLine.h"
 #include "tools/convergence/convergence.h"
 #include "tools/stability/stability.h"
@@ -7,5 +8,6 @@ int main(int argc, char** argv) {
                            [](report::CommandLine line) {
                                report::addStability(line);
                                report::addConvergence(line);
+                               report::addCalibration(line);
                            });
 }

@@ -21,6 +21,31 @@ TEST_CASE("every render with two samples or more prints its estimated error") {
     CHECK(line.substr(line.size() - 8) == " (est.)\n");
 }
 
+TEST_CASE("the error has a standard error, and an audit counts its pixels") {
+    const auto [way, audits] = GENERATE(table<std::string, bool>(
+        {{"--samples 3", false}, {"--adaptive 0.02", true}, {"--target-rmse 0.02", true}}));
+    CAPTURE(way);
+    const std::string stats = statsOf(lab + way);
+    const double rmse = numberOf(stats, "estimated_rmse");
+    const double error = numberOf(stats, "estimated_rmse_standard_error");
+    CHECK((error > 0.05 * rmse && error < 2 * rmse));
+    CHECK((numberOf(stats, "audited_pixels") > 48 * 48 / 8) == audits);
+    const TemporaryFolder folder;
+    const std::string line = swtracer(folder, "--size 48x48 " + way).out;
+    const auto at = line.find(" +- 0.");
+    CHECK(at != std::string::npos);
+    CHECK((line.find("  rmse 0.") < at && at < line.find(" (est.)")));
+    const std::string none = statsOf(lab + "--samples 1");
+    CHECK(none.find("\"estimated_rmse_standard_error\": null") != std::string::npos);
+}
+
+TEST_CASE("a target that the limit of samples keeps from being reached is named") {
+    const TemporaryFolder folder;
+    const std::string size = "--size 4x4 --target-rmse ";
+    CHECK(swtracer(folder, size + "0.05").err.empty());
+    CHECK(swtracer(folder, size + "1e-8").err.find("above the target") != std::string::npos);
+}
+
 TEST_CASE("each sampler makes a picture of its own, the same for any number of threads") {
     std::vector<std::string> pictures;
     for (const std::string sampler : {"jitter", "grid", "random", "multijitter"}) {

@@ -124,7 +124,7 @@ TEST_CASE("the statistics hold size options and ray counts") {
     const double shadow = numberOf(json, "shadow");  // one light: at most one per hit
     CHECK((shadow > 0 && shadow <= hits + reflected));
     double sum = 0;
-    for (const std::string step : {"load", "build", "trace", "write"}) {
+    for (const std::string step : {"load", "build", "record", "trace", "write"}) {
         CHECK(numberOf(json, step) >= 0);
         sum += numberOf(json, step);
     }

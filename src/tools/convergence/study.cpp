@@ -4,81 +4,12 @@
 #include <cmath>
 #include <functional>
 
-#include "swAdaptive.h"
-#include "swErrorEstimate.h"
-#include "swNff.h"
-#include "swRenderer.h"
-#include "swSamplePattern.h"
-#include "tools/common/mainFunctions.h"
 #include "tools/common/measure.h"
+#include "tools/common/subject.h"
 #include "tools/common/table.h"
 
 namespace report {
 namespace {
-
-constexpr int depth = 3;
-constexpr std::uint64_t referenceSeed = 1000;  // the repetitions have 1, 2, ...
-
-// A scene, ready to be rendered at a given size.
-class Subject {
-public:
-    using RadianceAt = std::function<sw::Color(float x, float y)>;
-
-    Subject(const std::filesystem::path& path, int size) : file(sw::loadNff(path)) {
-        const double scale = static_cast<double>(size) / std::max(file.width, file.height);
-        all.x1 = std::max(1, static_cast<int>(std::lround(file.width * scale)));
-        all.y1 = std::max(1, static_cast<int>(std::lround(file.height * scale)));
-        file.camera.setup(all.x1, all.y1);
-        file.scene.prepare();
-        radiance = [this](float x, float y) {
-            return lab::traceRay(file.camera.getRay(x, y), file.scene, depth);
-        };
-    }
-    Subject(const Subject&) = delete;
-    Subject& operator=(const Subject&) = delete;
-
-    sw::RenderResult uniformly(sw::SamplePattern pattern, int n, std::uint64_t seed) const {
-        const auto pixel = [&](int x, int y) {
-            return sw::samplePixelWith(pattern, static_cast<float>(x), static_cast<float>(y), n,
-                                       radiance);
-        };
-        return draw(pixel, pattern, n, seed);
-    }
-
-    // With sums in double precision.
-    sw::RenderResult reference(int n) const {
-        const auto pixel = [&](int x, int y) {
-            sw::SampleMean noted;  // for the error estimate
-            double sum[3] = {};
-            for (const auto& point : sw::samplePoints(sw::SamplePattern::multiJitter, n)) {
-                const sw::Color color =
-                    radiance(static_cast<float>(x) + point.x, static_cast<float>(y) + point.y);
-                noted += color;
-                for (int i = 0; i < 3; ++i) sum[i] += static_cast<double>(color[i]);
-            }
-            const auto mean = [&](int i) { return static_cast<float>(sum[i] / n / n); };
-            return sw::Color(mean(0), mean(1), mean(2));
-        };
-        return draw(pixel, sw::SamplePattern::multiJitter, n, referenceSeed);
-    }
-
-    sw::RenderResult adaptively(float tolerance, std::uint64_t seed) const {
-        sw::AdaptiveOptions options;
-        options.tolerance = tolerance;
-        options.render.seed = seed;
-        return sw::renderAdaptive(all, all.x1, all.y1, radiance, options);
-    }
-
-private:
-    sw::RenderResult draw(const std::function<sw::Color(int x, int y)>& pixel,
-                          sw::SamplePattern pattern, int n, std::uint64_t seed) const {
-        return sw::render(all, pixel, {.seed = seed, .pattern = pattern, .samples = n});
-    }
-
-    sw::NffScene file;
-    sw::Window all;
-    RadianceAt radiance;
-};
 
 struct Method {
     std::string name, setting;
@@ -103,7 +34,10 @@ std::vector<Method> methodsFor(const Subject& subject, const StudyEffort& effort
         methods.push_back({"adaptive", rounded(static_cast<double>(tolerance), 6),
                            i == effort.tolerances.size() / 2, false,
                            [&subject, tolerance](std::uint64_t seed) {
-                               return subject.adaptively(tolerance, seed);
+                               sw::AdaptiveOptions options;
+                               options.tolerance = tolerance;
+                               options.render.seed = seed;
+                               return subject.adaptively(options);
                            }});
     }
     return methods;
@@ -146,7 +80,7 @@ private:
 }  // namespace
 
 Study studyScene(const std::filesystem::path& scene, const StudyEffort& effort) {
-    const Subject subject(scene, effort.size);
+    const Subject subject(sw::loadNff(scene), effort.size);
     sw::RenderResult reference = subject.reference(effort.referenceGrid);
     const std::vector<Method> methods = methodsFor(subject, effort);
     Study study{scene.stem().string(), std::move(reference.image), reference.estimatedRmse, {}, {}};
